@@ -1,0 +1,1 @@
+"""The paper's experiments, studies, statistics, figures, report and command line."""

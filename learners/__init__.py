@@ -1,0 +1,1 @@
+"""Social reinforcement learning on any hashable state; knows nothing of a household."""

@@ -1,0 +1,1 @@
+"""How simulated people and baseline robots decide, and how a learner meets a robot."""
