@@ -1,0 +1,1 @@
+"""Homes: floor plans and the ways through them."""

@@ -1,0 +1,179 @@
+"""Floor plans: walls, doors, furniture, rooms and activity regions (paper, figure 2).
+
+A plan is data: a TOML file in ``homes/`` or of the user's own. All lengths are in
+meters, x to the right and y up; angles are in degrees in the files and in radians
+in the code, counter-clockwise from the x axis.
+"""
+
+import math
+from functools import lru_cache
+from typing import Annotated, Literal
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from household.activity import Activity, activity_of
+from household.records import Point, Record, convert, locate, read_toml
+
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+RegionActivity = Literal[
+    "working", "reading", "sleeping", "playing", "entering", "calling"
+]
+
+
+class Wall(Record, kw_only=True, rename={"start": "from", "end": "to"}):
+    """A straight wall from one point to another [m]."""
+
+    start: Point
+    end: Point
+
+
+class Door(Record, kw_only=True, rename={"start": "from", "end": "to"}):
+    """A door leaf in a gap between walls; closed, it is a wall.
+
+    Attributes:
+        open: People walk and look through an open door.
+    """
+
+    start: Point
+    end: Point
+    open: bool = True
+
+
+class Furniture(Record, kw_only=True):
+    """A box that stands on the floor.
+
+    Attributes:
+        center: Middle of the box [m].
+        size: Width and depth [m], before rotation.
+        angle: Rotation about the center [degrees].
+        tall: Hides what is behind it from view; low furniture does not.
+    """
+
+    name: str
+    center: Point
+    size: tuple[Positive, Positive]
+    angle: float = 0.0
+    tall: bool = False
+
+    @property
+    def corners(self) -> tuple[Point, ...]:
+        """The four corners [m], counter-clockwise."""
+        angle = math.radians(self.angle)
+        cos, sin = math.cos(angle), math.sin(angle)
+        half_x, half_y = self.size[0] / 2, self.size[1] / 2
+        box = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        return tuple(
+            (
+                self.center[0] + cos * half_x * i - sin * half_y * j,
+                self.center[1] + sin * half_x * i + cos * half_y * j,
+            )
+            for i, j in box
+        )
+
+
+class Region(Record, kw_only=True):
+    """A circle on the floor in which a person plays a role.
+
+    Attributes:
+        activity: The role that is played inside.
+        center: Where people stand or sit [m].
+        radius: Radius [m].
+        facing: What one looks at while absorbed here, a point [m].
+    """
+
+    name: str
+    activity: RegionActivity
+    center: Point
+    radius: Positive = 0.6
+    facing: Point
+
+    @property
+    def role(self) -> Activity:
+        """The activity as an enumeration member."""
+        return activity_of(self.activity)
+
+
+class Room(Record, kw_only=True):
+    """A named part of the plan, for texts and pictures.
+
+    Attributes:
+        corners: Outline [m], in order.
+    """
+
+    name: str
+    corners: Annotated[tuple[Point, ...], msgspec.Meta(min_length=3)]
+
+
+class FloorPlan(Record, kw_only=True):
+    """A home.
+
+    Attributes:
+        walls: Outer and inner walls; together with closed doors they must enclose
+            every region.
+        wall_thickness: Of every wall [m].
+    """
+
+    name: str
+    description: str = ""
+    wall_thickness: Positive = 0.1
+    walls: Annotated[tuple[Wall, ...], msgspec.Meta(min_length=3)]
+    doors: tuple[Door, ...] = ()
+    furniture: tuple[Furniture, ...] = ()
+    regions: Annotated[tuple[Region, ...], msgspec.Meta(min_length=1)]
+    rooms: tuple[Room, ...] = ()
+
+    @property
+    def lower(self) -> NDArray[np.float64]:
+        """Lower left corner of the walls' bounding box, shape (2,) [m]."""
+        corners: NDArray[np.float64] = self.wall_segments.reshape(-1, 2)
+        return corners.min(axis=0)
+
+    @property
+    def upper(self) -> NDArray[np.float64]:
+        """Upper right corner of the walls' bounding box, shape (2,) [m]."""
+        corners: NDArray[np.float64] = self.wall_segments.reshape(-1, 2)
+        return corners.max(axis=0)
+
+    @property
+    def wall_segments(self) -> NDArray[np.float64]:
+        """Walls and closed doors as (n, 4) rows of x1, y1, x2, y2 [m]."""
+        closed = [(*door.start, *door.end) for door in self.doors if not door.open]
+        walls = [(*wall.start, *wall.end) for wall in self.walls]
+        return np.array(walls + closed, dtype=np.float64)
+
+    @property
+    def opaque_segments(self) -> NDArray[np.float64]:
+        """What blocks sight: walls, closed doors, sides of tall furniture, (n, 4)."""
+        sides = [
+            (*box.corners[i - 1], *box.corners[i])
+            for box in self.furniture
+            if box.tall
+            for i in range(4)
+        ]
+        walls = self.wall_segments
+        return np.vstack([walls, np.array(sides, dtype=np.float64).reshape(-1, 4)])
+
+    @property
+    def region_circles(self) -> NDArray[np.float64]:
+        """Activity regions as (n_regions, 3) rows of x, y, radius [m]."""
+        return np.array([(*r.center, r.radius) for r in self.regions], dtype=np.float64)
+
+    def region(self, name: str) -> Region | None:
+        """The region with this name, else the first with this activity, else None."""
+        for region in self.regions:
+            if region.name == name:
+                return region
+        return next((r for r in self.regions if r.activity == name), None)
+
+
+@lru_cache(maxsize=64)
+def load_floorplan(name: str) -> FloorPlan:
+    """Reads a shipped home by name, or a TOML file by path.
+
+    Raises:
+        HouseholdError: If it cannot be found or a field is wrong.
+    """
+    path = locate(name, "home/homes", "home")
+    return convert(read_toml(path), FloorPlan, str(path))

@@ -1,0 +1,234 @@
+"""Ways through a home: shortest walks round walls and furniture.
+
+A person's center may be wherever its body clears everything solid. That free space
+is a grid; shortest paths on it come from SciPy's Dijkstra and are pulled straight
+wherever the straight line is free.
+"""
+
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, dijkstra
+
+from household.home.floorplan import FloorPlan
+
+CELL = 0.1
+"""Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
+
+CLEARANCE = 0.3
+"""From a walker's center to anything solid [m]: its radius of 0.25 and a margin."""
+
+STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
+"""Half of the eight directions; the graph is undirected."""
+
+MARGIN = 6 * CELL
+"""Free ground round the home [m], so that all that is outdoors hangs together."""
+
+Array = NDArray[np.float64]
+
+
+class Routes:
+    """The free space of one floor plan and the walks through it."""
+
+    def __init__(self, plan: FloorPlan) -> None:
+        self._origin = plan.lower - MARGIN
+        shape = np.ceil((plan.upper + MARGIN - self._origin) / CELL).astype(int)
+        self._shape: tuple[int, int] = (int(shape[0]), int(shape[1]))
+        self.free = self._clear_of(plan)
+
+    def _clear_of(self, plan: FloorPlan) -> NDArray[np.bool_]:
+        """Marks the cells whose center clears walls and furniture."""
+        centers = self._centers()
+        gap = distance_to_segments(centers, plan.wall_segments)
+        free = gap.min(axis=1) > plan.wall_thickness / 2 + CLEARANCE
+        for box in plan.furniture:
+            free &= distance_to_box(centers, box.center, box.size, box.angle) > (
+                CLEARANCE
+            )
+        return free.reshape(self._shape)
+
+    def _centers(self) -> Array:
+        grid = np.indices(self._shape).reshape(2, -1).T
+        return self._origin + (grid + 0.5) * CELL
+
+    @cached_property
+    def _graph(self) -> csr_array:
+        """Distances [m] between neighboring free cells, as a sparse matrix."""
+        rows, columns, lengths = [], [], []
+        number = np.arange(self.free.size).reshape(self._shape)
+        for dx, dy in STEPS:
+            here, there = _shifted(dx, dy)
+            open_ = self.free[here] & self.free[there]
+            rows.append(number[here][open_])
+            columns.append(number[there][open_])
+            lengths.append(np.full(int(open_.sum()), CELL * np.hypot(dx, dy)))
+        entries = np.concatenate(lengths)
+        place = (np.concatenate(rows), np.concatenate(columns))
+        return csr_array((entries, place), shape=(self.free.size, self.free.size))
+
+    @cached_property
+    def parts(self) -> NDArray[np.int32]:
+        """Label of the connected part that each cell belongs to, shape of ``free``.
+
+        Part ``parts[0, 0]`` is outdoors; cells of walls are parts of their own.
+        """
+        _, labels = connected_components(self._graph, directed=False)
+        return labels.astype(np.int32).reshape(self._shape)
+
+    def cell(self, point: Array) -> tuple[int, int]:
+        """The grid cell that holds a point, clipped to the grid."""
+        x, y = ((np.asarray(point) - self._origin) / CELL).astype(int)
+        return (
+            min(max(int(x), 0), self._shape[0] - 1),
+            min(max(int(y), 0), self._shape[1] - 1),
+        )
+
+    def is_indoors(self, point: Array) -> bool:
+        """Whether a body fits at a point that the walls close off from outside."""
+        cell = self.cell(point)
+        return bool(self.free[cell]) and self.parts[cell] != self.parts[0, 0]
+
+    def connects(self, start: Array, goal: Array) -> bool:
+        """Whether a body that fits at both points can walk from one to the other."""
+        a, b = self.cell(start), self.cell(goal)
+        fits = bool(self.free[a]) and bool(self.free[b])
+        return fits and bool(self.parts[a] == self.parts[b])
+
+    def nearest_free(self, point: Array) -> tuple[int, int]:
+        """The indoor free cell nearest to a point, itself if it is free."""
+        cell = self.cell(point)
+        if self.free[cell] and self.parts[cell] != self.parts[0, 0]:
+            return cell
+        cells = self._indoor_cells
+        centers = self._origin + (cells + 0.5) * CELL
+        best = cells[np.argmin(((centers - point) ** 2).sum(axis=1))]
+        return (int(best[0]), int(best[1]))
+
+    @cached_property
+    def _indoor_cells(self) -> NDArray[np.intp]:
+        return np.argwhere(self.free & (self.parts != self.parts[0, 0]))
+
+    @lru_cache(maxsize=1024)  # noqa: B019 - as long-lived as the cached Routes itself
+    def _towards(self, goal: tuple[int, int]) -> NDArray[np.int32]:
+        """For each cell the next cell on its shortest way to a goal; -9999 if none."""
+        _, predecessors = dijkstra(
+            self._graph,
+            directed=False,
+            indices=goal[0] * self._shape[1] + goal[1],
+            return_predecessors=True,
+        )
+        return predecessors.astype(np.int32)
+
+    def plan(self, start: Array, goal: Array) -> list[tuple[float, float]]:
+        """Waypoints of a short walk.
+
+        Args:
+            start: Where the walk begins, shape (2,) [m].
+            goal: Where it should end, shape (2,) [m]; where no body fits, the
+                nearest place where one does.
+
+        Returns:
+            Points [m] to walk to one after the other, the last one nearest to the
+            goal. Empty if no way leads there.
+        """
+        first, last = self.nearest_free(start), self.nearest_free(goal)
+        if self.parts[first] != self.parts[last]:
+            return []
+        end = np.asarray(goal, dtype=np.float64)
+        if self.cell(end) != last:
+            end = self._center(last)
+        if self.line_is_free(np.asarray(start, dtype=np.float64), end):
+            return [(float(end[0]), float(end[1]))]
+        return self._pulled_straight(self._cells_between(first, last), end)
+
+    def _cells_between(self, first: tuple[int, int], last: tuple[int, int]) -> Array:
+        """Centers of the cells on the shortest way, both ends included, (n, 2)."""
+        onward = self._towards(last)
+        width = self._shape[1]
+        cells, here = [first], first[0] * width + first[1]
+        while (here := int(onward[here])) >= 0:
+            cells.append(divmod(here, width))
+        return self._origin + (np.array(cells) + 0.5) * CELL
+
+    def _pulled_straight(self, path: Array, end: Array) -> list[tuple[float, float]]:
+        """Keeps only the points at which the walk must turn."""
+        points = np.vstack([path, end])
+        kept, here = [], 0
+        while here < len(points) - 1:
+            there = len(points) - 1
+            while there > here + 1 and not self.line_is_free(
+                points[here], points[there]
+            ):
+                there -= 1
+            kept.append((float(points[there][0]), float(points[there][1])))
+            here = there
+        return kept
+
+    def line_is_free(self, start: Array, end: Array) -> bool:
+        """Whether a body can walk straight from one point to another."""
+        steps = max(2, int(np.hypot(*(end - start)) / (CELL / 2)) + 1)
+        points = start + np.linspace(0.0, 1.0, steps)[:, None] * (end - start)
+        cells = ((points - self._origin) / CELL).astype(int)
+        inside = (cells >= 0).all() and (cells < self._shape).all()
+        return bool(inside and self.free[cells[:, 0], cells[:, 1]].all())
+
+    def _center(self, cell: tuple[int, int]) -> Array:
+        center: Array = self._origin + (np.array(cell) + 0.5) * CELL
+        return center
+
+
+def _shifted(dx: int, dy: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
+    """Index pairs that line every cell up with its neighbor at (dx, dy)."""
+    whole = slice(None)
+    ahead, behind = slice(1, None), slice(None, -1)
+    here_y, there_y = {0: (whole, whole), 1: (behind, ahead), -1: (ahead, behind)}[dy]
+    here_x, there_x = (behind, ahead) if dx else (whole, whole)
+    return (here_x, here_y), (there_x, there_y)
+
+
+def distance_to_segments(points: Array, segments: Array) -> Array:
+    """Distance from each point to each segment.
+
+    Args:
+        points: Shape (n, 2) [m].
+        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+
+    Returns:
+        Shape (n, m) [m].
+    """
+    start, along = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    offset = points[:, None, :] - start
+    length2 = np.maximum((along**2).sum(axis=1), 1e-12)
+    share = np.clip((offset * along).sum(axis=2) / length2, 0.0, 1.0)
+    gap: Array = np.linalg.norm(offset - share[..., None] * along, axis=2)
+    return gap
+
+
+def distance_to_box(
+    points: Array, center: tuple[float, float], size: tuple[float, float], angle: float
+) -> Array:
+    """Distance from each point to a rotated box; 0 inside.
+
+    Args:
+        points: Shape (n, 2) [m].
+        center: Middle of the box [m].
+        size: Width and depth [m].
+        angle: Rotation [degrees].
+
+    Returns:
+        Shape (n,) [m].
+    """
+    turn = np.deg2rad(angle)
+    cos, sin = np.cos(turn), np.sin(turn)
+    local = (points - np.array(center)) @ np.array([[cos, -sin], [sin, cos]])
+    outside = np.maximum(np.abs(local) - np.array(size) / 2, 0.0)
+    gap: Array = np.hypot(outside[:, 0], outside[:, 1])
+    return gap
+
+
+@lru_cache(maxsize=64)
+def routes_of(plan: FloorPlan) -> Routes:
+    """The routes of a floor plan, computed once per plan and process."""
+    return Routes(plan)
