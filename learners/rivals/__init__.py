@@ -1,0 +1,1 @@
+"""Learners a reviewer would ask to see beside the paper's, one file each."""
