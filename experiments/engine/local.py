@@ -1,0 +1,57 @@
+"""Processes on this machine that never outlive the program that started them."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from concurrent.futures import Executor, ProcessPoolExecutor
+
+# Each worker is one process on one core: its libraries must not start more threads.
+_ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "POLARS_MAX_THREADS")
+
+
+class LocalExecutor(ProcessPoolExecutor):
+    """A process pool that can be left at once: `shutdown` ends what still runs.
+
+    The standard library's pool waits for the running tasks, also after Ctrl-C.
+    """
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Ends the pool; with `cancel_futures` running tasks are ended as well."""
+        # `terminate_workers` is public only from Python 3.14 on.
+        processes = list((getattr(self, "_processes", None) or {}).values())
+        super().shutdown(wait and not cancel_futures, cancel_futures=cancel_futures)
+        if cancel_futures:
+            for process in processes:
+                process.terminate()
+            for process in processes:
+                process.join()
+
+
+def local_executor(workers: int) -> Executor:
+    """Returns a pool of `workers` fresh processes (never forks of this one)."""
+    method = "spawn" if sys.platform == "win32" else "forkserver"
+    return LocalExecutor(
+        workers,
+        mp_context=multiprocessing.get_context(method),
+        initializer=_start_worker,
+    )
+
+
+def _start_worker() -> None:
+    """Leaves Ctrl-C to the parent, and ends this process when the parent is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for variable in _ONE_THREAD:
+        os.environ.setdefault(variable, "1")
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """Waits for the parent's end: a killed parent cannot stop its workers itself."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
