@@ -18,6 +18,7 @@ def program(tmp_path):
         script.write_text(textwrap.dedent(source))
         return subprocess.Popen(
             [sys.executable, str(script), *map(str, arguments)],
+            stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
