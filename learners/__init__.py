@@ -1,6 +1,22 @@
 """Social reinforcement learning on any hashable state; knows nothing of a household."""
 
+from learners.catalog import CATALOG, make_learner
+from learners.errors import LearnerError
 from learners.experience import Experience, Feedback
 from learners.learner import Credit, Learner, Share
+from learners.qlearner import QLearner
+from learners.saving import load, saved
 
-__all__ = ["Credit", "Experience", "Feedback", "Learner", "Share"]
+__all__ = [
+    "CATALOG",
+    "Credit",
+    "Experience",
+    "Feedback",
+    "Learner",
+    "LearnerError",
+    "QLearner",
+    "Share",
+    "load",
+    "make_learner",
+    "saved",
+]

@@ -5,8 +5,10 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 
 from learners.errors import ExperienceError
+from learners.saving import saved
 
 
+@saved
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Feedback:
     """One touch as the robot perceives it.
@@ -52,6 +54,7 @@ class Feedback:
             )
 
 
+@saved
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Experience:
     """One entry of the history: the pair (state, action) and what came of it.

@@ -9,8 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learners.experience import Experience, Feedback
+from learners.saving import saved
 
 
+@saved
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Share:
     """What one past pair gets of a feedback.
@@ -28,6 +30,7 @@ class Share:
     weight: float
 
 
+@saved
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Credit:
     """What a learner believes one feedback is about.

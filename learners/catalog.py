@@ -1,0 +1,134 @@
+"""The one list of learners by name."""
+
+import dataclasses
+import difflib
+from collections.abc import Callable, Mapping
+from typing import Any, cast
+
+import numpy as np
+
+from learners.advice import Advice
+from learners.credit import Designated, Trace
+from learners.errors import ParameterError, UnknownNameError
+from learners.heuristics import AttentionShift, FixedDelay, MostRecent
+from learners.learner import Learner
+from learners.qlearner import QLearner
+from learners.rates import AsynchronousRate, SynchronousRate
+
+Parts = Callable[..., dict[str, Any]]
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Recipe:
+    """How a named learner is put together.
+
+    Attributes:
+        summary: one line for people who choose.
+        kind: the learner's class, a dataclass.
+        parts: makes its settings anew for each learner, from what it `needs`.
+        needs: names of callables into the world that the caller must give.
+    """
+
+    summary: str
+    kind: type
+    parts: Parts = dict
+    needs: tuple[str, ...] = ()
+
+    @property
+    def settings(self) -> frozenset[str]:
+        """Names that may be overridden."""
+        fields = dataclasses.fields(self.kind)
+        names = {f.name for f in fields if f.init} - {"n_behaviors", "rng"}
+        return frozenset(names | set(self.needs))
+
+
+CATALOG: Mapping[str, Recipe] = {
+    "q_synchronous": Recipe(
+        summary="standard Q-learning, one rate for all pairs (experiment 1)",
+        kind=QLearner,
+        parts=lambda: {"rate": SynchronousRate()},
+    ),
+    "q_asynchronous": Recipe(
+        summary="standard Q-learning, each pair its own rate (experiment 1)",
+        kind=QLearner,
+        parts=lambda: {"rate": AsynchronousRate()},
+    ),
+    "q_social": Recipe(
+        summary="Q-learning with the social rate (experiments 2 and 3)",
+        kind=QLearner,
+    ),
+    "q_trace": Recipe(
+        summary="Watkins' Q(lambda), accumulating traces (experiment 3)",
+        kind=QLearner,
+        parts=lambda: {"credit": Trace()},
+    ),
+    "q_trace_replacing": Recipe(
+        summary="Watkins' Q(lambda), replacing traces",
+        kind=QLearner,
+        parts=lambda: {"credit": Trace(replacing=True)},
+    ),
+    "designated": Recipe(
+        summary="credit to the pair before the giver set out (experiment 4)",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated()},
+    ),
+    "designated_most_recent": Recipe(
+        summary="designated credit, the most recent pair",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(heuristic=MostRecent())},
+    ),
+    "designated_fixed_delay": Recipe(
+        summary="designated credit, the pair a fixed delay ago",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(heuristic=FixedDelay())},
+    ),
+    "designated_attention": Recipe(
+        summary="designated credit, the pair when the giver's attention shifted",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(heuristic=AttentionShift())},
+    ),
+    "advice": Recipe(
+        summary='designated credit, asking "why?" when in doubt',
+        kind=QLearner,
+        parts=lambda ask: {"credit": Designated(heuristic=Advice(ask=ask))},
+        needs=("ask",),
+    ),
+}
+
+
+def make_learner(
+    name: str, n_behaviors: int, rng: np.random.Generator, **overrides: object
+) -> Learner:
+    """A learner by name.
+
+    Args:
+        name: one of `CATALOG`.
+        n_behaviors: number of behaviors to choose from.
+        rng: its only source of randomness.
+        **overrides: settings in place of the recipe's, such as `gamma=0.5` or
+            `exploration=Greedy()`, and whatever the recipe needs.
+
+    Raises:
+        UnknownNameError: if there is no such learner or setting, naming the nearest.
+        ParameterError: if a setting is out of range, or one that it needs is missing.
+    """
+    recipe = CATALOG.get(name)
+    if recipe is None:
+        raise UnknownNameError(_no_such("learner", name, CATALOG))
+    for given in overrides:
+        if given not in recipe.settings:
+            raise UnknownNameError(
+                _no_such(f"setting of {name}", given, recipe.settings)
+            )
+    missing = [need for need in recipe.needs if need not in overrides]
+    if missing:
+        raise ParameterError(f"learner {name!r} needs {', '.join(missing)}")
+    needed = {need: overrides.pop(need) for need in recipe.needs}
+    parts = recipe.parts(**needed) | overrides
+    return cast(Learner, recipe.kind(n_behaviors, rng, **parts))
+
+
+def _no_such(what: str, name: str, known: Mapping[str, Any] | frozenset[str]) -> str:
+    near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    return f"there is no {what} called {name!r}{hint}"

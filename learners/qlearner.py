@@ -1,0 +1,153 @@
+"""Q-learning from touches: rate, credit, analogy and exploration, each replaceable."""
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from learners.analogy import Analogy
+from learners.checks import check_range
+from learners.credited import Assignment, CreditedLearner
+from learners.errors import ParameterError
+from learners.exploration import Estimates
+from learners.qtable import Change, QTable
+from learners.rates import Factors, Rate, SocialRate
+from learners.saving import DERIVED, saved
+from learners.updates import q_target, td_error
+
+
+class Target(NamedTuple):
+    """What one update moves a pair towards.
+
+    Attributes:
+        state: situation of the pair.
+        action: its behavior.
+        value: what Q(state, action) moves towards.
+        weight: eligibility.
+        factors: social factors that set the learning rate.
+    """
+
+    state: Hashable
+    action: int
+    value: float
+    weight: float
+    factors: Factors
+
+
+@saved
+@dataclass(eq=False)
+class QLearner(CreditedLearner):
+    """The paper's learner: Q-learning with a social rate, credit and analogy.
+
+    `learn` checks an entry, adds it to the history and counts its transition; the
+    credit rule shares each touch (or, in silence, a reward of 0) among the entries;
+    each share gives a target r + gamma * max Q(s'); the analogy carries the target to
+    the analogs; each moves by rate * eligibility * strength, and its visit is counted
+    in `QTable.update`. All targets are worked out before the table changes.
+
+    Two touches in one entry are two updates, not one of twice the reward, so values
+    stay in [-1, 1] / (1 - gamma) (our choice).
+
+    Attributes:
+        gamma: weight of what comes after, per entry whatever its duration, in [0, 1).
+            0.1: our choice; a touch judges what was done, not what it leads to.
+        rate: the learning rate.
+        analogy: where else an update goes; the base class knows no analogs.
+        initial: value of a pair never updated. 0: neither polite nor impolite.
+        table: values and visits; a team sets it where several robots share one.
+        targets: what the last `learn` moved; for a team to carry to other robots.
+    """
+
+    gamma: float = field(default=0.1, kw_only=True)
+    rate: Rate = field(default_factory=SocialRate, kw_only=True)
+    analogy: Analogy = field(default_factory=Analogy, kw_only=True)
+    initial: float = field(default=0.0, kw_only=True)
+    table: QTable = field(init=False, repr=False)
+    targets: tuple[Target, ...] = field(
+        init=False, default=(), repr=False, metadata=DERIVED
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_range("gamma", self.gamma, 0.0, 1.0)
+        if self.gamma == 1.0:
+            raise ParameterError("gamma is 1, and values would have no bound")
+        if self.exploration.needs_posterior:
+            raise ParameterError(
+                f"{type(self.exploration).__name__} needs a posterior, which a "
+                "QLearner has not; take hierarchical_thompson"
+            )
+        self.table = QTable(n_behaviors=self.n_behaviors, initial=self.initial)
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """Values and visits of a state, as the analogy sees them."""
+        return Estimates(
+            self.analogy.values(self.table, state),
+            self.analogy.visits(self.table, state),
+        )
+
+    def move(self, targets: Sequence[Target], strength: float = 1.0) -> None:
+        """Move pairs and their analogs towards their targets.
+
+        Args:
+            targets: one per update, in order.
+            strength: factor on every step, in [0, 1]; below 1 for experience that is
+                another robot's.
+        """
+        spread = [self.analogy.spread(target.state) for target in targets]
+        for target, rows in zip(targets, spread, strict=True):
+            self.table.update(
+                [self._change(target, row, share * strength) for row, share in rows]
+            )
+
+    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+        self.targets = tuple(
+            target for assignment in assignments for target in self._targets(assignment)
+        )
+        for feedback, weights in assignments:
+            if feedback is not None:
+                for entry, weight in weights:
+                    self.analogy.observe(entry.state, entry.action, feedback, weight)
+        self.move(self.targets)
+
+    def _targets(self, assignment: Assignment) -> list[Target]:
+        feedback, weights = assignment
+        newest = self.history.entries[-1]
+        if feedback is None:
+            reward, factors = 0.0, Factors(False, newest.attended, 0.0)
+        else:
+            reward = feedback.value
+            factors = Factors(True, feedback.attending, feedback.mood)
+        if not self.credit.shares_error:
+            return [
+                Target(
+                    e.state, e.action, self._target(reward, e.next_state), w, factors
+                )
+                for e, w in weights
+            ]
+        aim = self._target(reward, newest.next_state)
+        error = td_error(self._value(newest.state, newest.action), aim)
+        return [
+            Target(
+                e.state, e.action, self._value(e.state, e.action) + error, w, factors
+            )
+            for e, w in weights
+        ]
+
+    def _target(self, reward: float, next_state: Hashable) -> float:
+        following = self.analogy.values(self.table, next_state)
+        return q_target(reward, self.gamma, following)
+
+    def _value(self, state: Hashable, action: int) -> float:
+        return self.analogy.values(self.table, state)[action]
+
+    def _change(self, target: Target, row: Hashable, strength: float) -> Change:
+        action, share = target.action, target.weight * strength
+        visits = self.table.visits(row)[action]
+        rate = self.rate(self.table.updates, visits, target.factors)
+        error = td_error(self.table.values(row)[action], target.value)
+        step = rate * share * self._pace(error, target)
+        return Change(row, action, target.value, step, min(share, 1.0))
+
+    def _pace(self, error: float, target: Target) -> float:
+        """Factor on the step of one update; 1 in plain Q-learning."""
+        return 1.0

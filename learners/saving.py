@@ -1,0 +1,211 @@
+"""Saving without pickle: values as tagged JSON, stamped with a version and a digest.
+
+A saved class is registered with `@saved`. Dataclasses need nothing more; any other
+class (a state, say) provides `to_data()` and the class method `from_data(data)`, built
+of None, bool, int, float, str, tuple, list, dict, set, frozenset and registered
+classes. A field with `metadata=ATTACHED` (a callable into the world) is not written
+but given again to `load`; a field with `metadata=DERIVED` is computed anew.
+"""
+
+import dataclasses
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import FunctionType
+from typing import Any, TypeVar
+
+import numpy as np
+
+from learners.errors import SavedFileError
+
+FORMAT = "household-learner"
+VERSION = 1
+ATTACHED: Mapping[str, bool] = {"attached": True}
+DERIVED: Mapping[str, bool] = {"derived": True}
+
+_T = TypeVar("_T", bound=type | FunctionType)
+_registry: dict[str, Any] = {}
+
+
+def saved(thing: _T) -> _T:
+    """Register a class or a function, by its name, as something that can be saved.
+
+    Raises:
+        ValueError: if another thing of this name is registered already.
+    """
+    known = _registry.setdefault(thing.__name__, thing)
+    if known is not thing and known.__module__ != thing.__module__:
+        raise ValueError(f"two saved things are called {thing.__name__!r}")
+    _registry[thing.__name__] = thing
+    return thing
+
+
+def write(path: str | Path, learner: object) -> None:
+    """Write a learner to a file, whole or not at all.
+
+    Raises:
+        SavedFileError: if it holds something that is not registered with `saved`.
+    """
+    payload = json.dumps(encode(learner), separators=(",", ":"))
+    header = {"format": FORMAT, "version": VERSION, "sha256": _digest(payload)}
+    path = Path(path)
+    with tempfile.NamedTemporaryFile(
+        "w", dir=path.parent, prefix=f".{path.name}.", delete=False, encoding="utf-8"
+    ) as file:
+        file.write(f"{json.dumps(header)}\n{payload}\n")
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(file.name, path)
+
+
+def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what was saved
+    """Read what `write` wrote; the learner goes on exactly where the saved one was.
+
+    Args:
+        path: the file.
+        **attached: callables that are not written, by the name of their field, such
+            as `ask` of the credit rule Advice.
+
+    Raises:
+        SavedFileError: if the file is damaged, cut short, of another version or not a
+            saved learner, or if a class or a callable it needs is missing.
+    """
+    try:
+        header_line, payload, end = Path(path).read_text("utf-8").split("\n")
+        header = json.loads(header_line)
+        name, version, digest = (header[k] for k in ("format", "version", "sha256"))
+    except (UnicodeDecodeError, ValueError, KeyError, TypeError) as error:
+        raise SavedFileError(f"{path} is not a saved learner, or cut short") from error
+    if name != FORMAT:
+        raise SavedFileError(f"{path} is not a saved learner: its format is {name!r}")
+    if version != VERSION:
+        raise SavedFileError(
+            f"{path} was saved in version {version} of the format; this is {VERSION}"
+        )
+    if end or digest != _digest(payload):
+        raise SavedFileError(
+            f"{path} is damaged: its content does not match its digest"
+        )
+    return _Decoder(attached).decode(json.loads(payload))
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def encode(value: Any) -> Any:  # noqa: ANN401 - any saved value, as JSON
+    """A value as JSON, each kind under its tag.
+
+    Raises:
+        SavedFileError: if its class is not registered with `saved`.
+    """
+    if value is None or isinstance(value, bool | str):
+        return value
+    for kind, encoder in _ENCODERS.items():
+        if isinstance(value, kind):
+            return encoder(value)
+    name = value.__name__ if isinstance(value, FunctionType) else type(value).__name__
+    if name not in _registry:
+        raise SavedFileError(f"cannot save a {name}: register it with learners.saved")
+    if isinstance(value, FunctionType):
+        return {"function": name}
+    return {"object": name, "data": _object_data(value)}
+
+
+def _object_data(value: Any) -> Any:  # noqa: ANN401 - any registered object
+    if hasattr(value, "to_data"):
+        return encode(value.to_data())
+    return {f.name: encode(getattr(value, f.name)) for f in _written_fields(value)}
+
+
+def _written_fields(value: Any) -> list[dataclasses.Field[Any]]:  # noqa: ANN401
+    skipped = {"attached", "derived"}
+    return [f for f in dataclasses.fields(value) if not skipped & f.metadata.keys()]
+
+
+def _encode_set(value: set[Any] | frozenset[Any]) -> dict[str, Any]:
+    # Sorted, so that equal learners give equal files.
+    return {"set": sorted((encode(item) for item in value), key=json.dumps)}
+
+
+def _encode_generator(rng: np.random.Generator) -> dict[str, Any]:
+    state = rng.bit_generator.state
+    return {"generator": state["bit_generator"], "state": encode(state)}
+
+
+_ENCODERS: dict[type, Callable[[Any], Any]] = {
+    int: int,
+    np.integer: int,
+    np.bool_: bool,
+    float: float,
+    np.floating: float,
+    tuple: lambda value: {"tuple": [encode(item) for item in value]},
+    list: lambda value: [encode(item) for item in value],
+    dict: lambda value: {"dict": [[encode(k), encode(v)] for k, v in value.items()]},
+    set: _encode_set,
+    frozenset: _encode_set,
+    np.ndarray: lambda value: {"array": value.tolist(), "dtype": str(value.dtype)},
+    np.random.Generator: _encode_generator,
+}
+
+
+class _Decoder:
+    """Turns tagged JSON back into values, with what is attached to them."""
+
+    def __init__(self, attached: Mapping[str, object]) -> None:
+        self._attached = attached
+        self._by_tag: dict[str, Callable[[dict[str, Any]], Any]] = {
+            "tuple": lambda data: tuple(map(self.decode, data["tuple"])),
+            "dict": lambda data: {
+                self.decode(k): self.decode(v) for k, v in data["dict"]
+            },
+            "set": lambda data: frozenset(map(self.decode, data["set"])),
+            "array": lambda data: np.array(data["array"], dtype=data["dtype"]),
+            "generator": self._generator,
+            "function": lambda data: self._registered(data["function"]),
+            "object": self._object,
+        }
+
+    def decode(self, data: Any) -> Any:  # noqa: ANN401 - any saved value
+        if isinstance(data, list):
+            return [self.decode(item) for item in data]
+        if isinstance(data, dict):
+            return self._by_tag[next(iter(data))](data)
+        return data
+
+    def _registered(self, name: str) -> Any:  # noqa: ANN401 - class or function
+        if name not in _registry:
+            raise SavedFileError(
+                f"the file needs {name!r}: import it, or register it with "
+                "learners.saved, before loading"
+            )
+        return _registry[name]
+
+    def _generator(self, data: dict[str, Any]) -> np.random.Generator:
+        bits = getattr(np.random, data["generator"])()
+        bits.state = self.decode(data["state"])
+        return np.random.Generator(bits)
+
+    def _object(self, data: dict[str, Any]) -> Any:  # noqa: ANN401 - any registered one
+        cls = self._registered(data["object"])
+        if hasattr(cls, "from_data"):
+            return cls.from_data(self.decode(data["data"]))
+        values = {name: self.decode(value) for name, value in data["data"].items()}
+        for each in dataclasses.fields(cls):
+            if each.metadata.get("attached"):
+                values[each.name] = self._attachment(cls, each.name)
+        init = {f.name for f in dataclasses.fields(cls) if f.init} & values.keys()
+        made = cls(**{name: values.pop(name) for name in init})
+        for name, value in values.items():  # frozen or not, the rest is set as it was
+            object.__setattr__(made, name, value)
+        return made
+
+    def _attachment(self, cls: type, name: str) -> object:
+        if name not in self._attached:
+            raise SavedFileError(
+                f"{cls.__name__} needs its {name!r} again: load(path, {name}=...)"
+            )
+        return self._attached[name]
