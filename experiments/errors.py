@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 
 class ExperimentError(ValueError):
@@ -24,8 +23,6 @@ def unknown(kind: str, given: object, allowed: Iterable[object]) -> ExperimentEr
     Returns:
         An error that names the nearest spelling, if one is near, and all allowed.
     """
-    names = [str(name) for name in allowed]
-    near = get_close_matches(str(given), names, n=1, cutoff=0.6)
-    hint = f"; did you mean {near[0]!r}?" if near else "."
-    listed = ", ".join(names)
-    return ExperimentError(f"unknown {kind} {str(given)!r}{hint} Allowed: {listed}.")
+    from household.errors import choose_from
+
+    return ExperimentError(choose_from(str(given), map(str, allowed), kind) + ".")
