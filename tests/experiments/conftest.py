@@ -1,12 +1,20 @@
-"""Shared helpers: a module of tiny trial functions that worker processes can import."""
+"""Shared helpers: programs to kill, a toy home, hand-written tables."""
 
 import os
 import subprocess
 import sys
 import textwrap
 import time
+from dataclasses import dataclass
+from typing import ClassVar
 
+import numpy as np
+import polars as pl
 import pytest
+
+from experiments.rows import Rows, schema
+from learners.catalog import make_learner
+from policies.learning import LearningRobot, run_episode
 
 
 @pytest.fixture
@@ -42,3 +50,140 @@ def group_is_empty():
         return False
 
     return check
+
+
+@dataclass(frozen=True)
+class ToyTouch:
+    giver: str
+    value: float
+    time: float
+    attending: bool = True
+    mood: float = 0.0
+    approach_began: float | None = None
+    attention_began: float | None = None
+
+
+@dataclass(frozen=True)
+class ToyCause:
+    robot: str
+    decision: int
+    behavior: int
+    time: float
+
+
+class PlayHome:
+    """Experiment 1 without a room: ann plays, looks up now and then, and touches.
+
+    A behavior takes two steps of one second. While ann looks up, she answers each
+    behavior in its second step: a tap for bark, a caress for play that she gives less
+    and less.
+    """
+
+    possible_agents: ClassVar = ["robot_0"]
+    behaviors = ("bark", "play")
+
+    def __init__(self, steps=400):
+        self.steps = steps
+
+    def reset(self, seed=None):
+        self.rng = np.random.default_rng(seed)
+        self.agents = list(self.possible_agents)
+        self.decision, self.begun, self.doing = 0, 0, None
+        self.looking, self.felt, self.caresses = False, None, 0
+
+    def step(self, actions):
+        if self.behavior_over("robot_0"):
+            self.begun, self.doing = self.decision, actions["robot_0"]
+        self.decision += 1
+        if self.rng.random() < 0.15:
+            self.looking = not self.looking
+        self.felt = self._touch() if self.decision - self.begun == 2 else None
+        if self.decision == self.steps:
+            self.agents = []
+
+    def _touch(self):
+        if not self.looking:
+            return None
+        if self.doing == 0:
+            return ToyTouch("ann", -1.0, self.time)
+        self.caresses += 1
+        fond = self.rng.random() < 0.95**self.caresses
+        return ToyTouch("ann", 0.5, self.time) if fond else None
+
+    @property
+    def time(self):
+        return float(self.decision)
+
+    def situation(self, agent):
+        return "ann playing"
+
+    def behavior_over(self, agent):
+        return self.doing is None or self.decision - self.begun >= 2
+
+    def feedback(self, agent):
+        return () if self.felt is None else (self.felt,)
+
+    def causes(self, agent):
+        cause = ToyCause("robot_0", self.begun, self.doing, float(self.begun))
+        return tuple(cause for _ in self.feedback(agent))
+
+    def attended(self, agent):
+        return self.looking
+
+    def appropriateness(self, agent):
+        return np.array([-1.0, 1.0])
+
+    def opinion(self, agent):
+        return {"ann": 5.0 + self.caresses / 100}
+
+
+@pytest.fixture
+def play_home():
+    return PlayHome
+
+
+@pytest.fixture
+def play_trial():
+    """Returns a function that runs a trial of experiment 1 in a `PlayHome`."""
+
+    def run(trial, steps=400):
+        learner = make_learner(
+            trial.condition.learner, 2, np.random.default_rng(trial.seed)
+        )
+        rows = Rows()
+        robots = {"robot_0": LearningRobot(learner)}
+        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[rows])
+        return rows.frame()
+
+    return run
+
+
+@pytest.fixture
+def table():
+    """Returns a function that makes a trial's table of hand-written entries."""
+
+    def make(entries, **columns):
+        rows = []
+        for index, (situation, behavior, wanted) in enumerate(entries):
+            row = {
+                "robot": "robot_0",
+                "time": 2.0 * index,
+                "next_time": 2.0 * index + 2.0,
+                "decision": 2 * index,
+                "bout": 2 * index,
+                "situation": situation,
+                "behavior": behavior,
+                "chosen": True,
+                "attended": False,
+                "reward": 0.0,
+                "cumulative": 0.0,
+                "opinion": 5.0,
+                "q": {"bark": 0.0, "play": 0.0},
+                "appropriateness": {"bark": -wanted, "play": wanted},
+                "touches": [],
+                "updates": [],
+            }
+            rows.append(row | {name: given[index] for name, given in columns.items()})
+        return pl.DataFrame(rows, schema=schema(("bark", "play")), orient="row")
+
+    return make

@@ -1,0 +1,134 @@
+"""Runs one trial: a home, its robots and their learners, from reset to the end."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from experiments.trial import Condition, Study, Trial
+
+if TYPE_CHECKING:
+    import polars
+
+    from experiments.rows import Evaluated
+    from policies.learning import LearningRobot, Observer
+
+
+def run_trial(trial: Trial) -> polars.DataFrame:
+    """Runs a trial to its end and returns its table.
+
+    Args:
+        trial: What to run. Trials with the same seed share their random streams
+            whatever their condition, so conditions are paired by seed.
+
+    Returns:
+        One row per history entry; columns as in `experiments.rows`.
+    """
+    from experiments.rows import Rows
+
+    rows = Rows()
+    play(trial, [rows])
+    return rows.frame()
+
+
+def play(trial: Trial, observers: Sequence[Observer] = ()) -> None:
+    """Runs a trial and lets observers watch.
+
+    Args:
+        trial: What to run.
+        observers: Who watches, e.g. a result table or a replay file.
+    """
+    from policies.learning import run_episode
+
+    home_seed, learner_seed = np.random.SeedSequence(trial.seed).spawn(2)
+    env = make_home(trial.condition)
+    run_episode(
+        env,
+        make_robots(trial.condition, env, learner_seed),
+        seed=int(home_seed.generate_state(1)[0]),
+        observers=observers,
+    )
+
+
+def make_home(condition: Condition) -> Evaluated:
+    """Returns the condition's environment."""
+    from household import household_v0
+
+    return household_v0.parallel_env(
+        scenario=condition.scenario, **condition.scenario_overrides
+    )
+
+
+def make_robots(
+    condition: Condition, env: Evaluated, seed: np.random.SeedSequence
+) -> dict[str, LearningRobot]:
+    """Returns a learning robot for each agent, each with a random stream of its own."""
+    from learners.catalog import make_learner
+    from policies.learning import LearningRobot
+
+    return {
+        agent: LearningRobot(
+            make_learner(
+                condition.learner,
+                len(env.behaviors),
+                np.random.default_rng(child),
+                **condition.learner_overrides,
+            )
+        )
+        for agent, child in zip(
+            env.possible_agents, seed.spawn(len(env.possible_agents)), strict=True
+        )
+    }
+
+
+def configuration(study: Study) -> dict[str, Any]:
+    """Returns everything that fixes a study's results but the seeds, as plain data.
+
+    Names of shipped data (a home, a persona) are followed to the numbers behind them,
+    so that a changed constant is a changed configuration.
+    """
+    return {
+        "conditions": {c.name: describe_condition(c) for c in study.conditions},
+    }
+
+
+def describe_condition(condition: Condition) -> dict[str, Any]:
+    """Returns a condition with every constant of its home and its learner."""
+    import msgspec
+
+    env = make_home(condition)
+    scenario = env.scenario
+    robots = make_robots(condition, env, np.random.SeedSequence(0))
+    parts = {
+        "scenario": scenario,
+        "home": scenario.plan,
+        "personas": scenario.personas,
+        "behaviors": scenario.repertoire,
+        "norms": scenario.household_norms,
+    }
+    return {
+        "learner": condition.learner,
+        "settings": describe(next(iter(robots.values())).learner),
+        **{name: msgspec.to_builtins(part) for name, part in parts.items()},
+    }
+
+
+def describe(record: object) -> object:
+    """Returns a settings record as plain data: its type and what it was made with."""
+    if dataclasses.is_dataclass(record) and not isinstance(record, type):
+        settings = {
+            field.name: describe(getattr(record, field.name))
+            for field in dataclasses.fields(record)
+            if field.init and field.repr and field.name != "rng"
+        }
+        return {"type": type(record).__name__} | settings
+    if isinstance(record, Mapping):
+        return {str(key): describe(value) for key, value in record.items()}
+    if isinstance(record, (list, tuple)):
+        return [describe(value) for value in record]
+    if record is None or isinstance(record, (bool, int, float, str)):
+        return record
+    return repr(record)
