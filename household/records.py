@@ -18,7 +18,8 @@ Point = tuple[float, float]
 class Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A frozen record; unknown fields are errors, not surprises.
 
-    Subclasses say ``kw_only=True`` themselves: msgspec does not inherit it.
+    Subclasses say ``frozen=True, kw_only=True`` themselves: msgspec does not inherit
+    the second, and type checkers do not see the first.
     """
 
 

@@ -8,10 +8,12 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from household.activity import Activity
 from household.errors import HouseholdError
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Room, Wall
+from household.home.routes import distance_to_box
 from household.records import Point
 
 if TYPE_CHECKING:
@@ -35,6 +37,9 @@ LOW, TALL = "#e6dcc8", "#b09a78"
 
 SCALE = 0.6
 """Inches of paper per meter of home."""
+
+LETTER, LINE = 0.07, 0.14
+"""Width of a small letter and height of its line, at that scale [m]."""
 
 BORDER = 0.3
 """White ground round the walls [m]; below them there is a strip for the scale bar."""
@@ -73,7 +78,7 @@ def draw_on(plan: FloorPlan, axes: "Axes") -> None:
         axes: Matplotlib axes; their limits and aspect are set, their frame removed.
     """
     for room in plan.rooms:
-        _draw_room(room, axes)
+        _draw_room(room, plan, axes)
     for box in plan.furniture:
         _draw_furniture(box, axes)
     for region in plan.regions:
@@ -88,19 +93,38 @@ def draw_on(plan: FloorPlan, axes: "Axes") -> None:
     axes.set_axis_off()
 
 
-def _draw_room(room: Room, axes: "Axes") -> None:
-    """Floor and name, the name in the upper left corner."""
+def _draw_room(room: Room, plan: FloorPlan, axes: "Axes") -> None:
+    """Floor and name."""
     axes.fill(*zip(*room.corners, strict=True), color=FLOOR, zorder=0, linewidth=0)
-    x, y = max(room.corners, key=lambda corner: (corner[1] - corner[0], corner[1]))
-    axes.text(
-        x + 0.13,
-        y - 0.13,
-        room.name.upper(),
-        fontsize=5.5,
-        color="#8a8272",
-        va="top",
-        zorder=5,
-    )
+    x, y = _place_for_name(room, plan)
+    text: dict[str, Any] = {"fontsize": 5.5, "color": "#8a8272", "va": "top"}
+    axes.text(x, y, room.name.upper(), zorder=5, **text)
+
+
+def _place_for_name(room: Room, plan: FloorPlan) -> Point:
+    """The upper left end of a room's name: high, left, and clear of what is drawn."""
+    from matplotlib.path import Path as Outline
+
+    outline = Outline(room.corners)
+    (left, low), (right, high) = np.min(room.corners, 0), np.max(room.corners, 0)
+    size = np.array([LETTER * 1.25 * len(room.name), -LINE])
+    for y in np.arange(high - 0.12, low, -0.1):
+        for x in np.arange(left + 0.12, right, 0.1):
+            # What is drawn is no smaller than the words are high.
+            across = np.linspace(0.0, 1.0, 12)
+            points = np.array([(x, y) + size * (i, j) for i in across for j in (0, 1)])
+            if outline.contains_points(points).all() and _is_blank(points, plan):
+                return float(x), float(y)
+    return float(left) + 0.12, float(high) - 0.12
+
+
+def _is_blank(points: NDArray[np.float64], plan: FloorPlan) -> bool:
+    """Whether no furniture or region is drawn at any of the points, shape (n, 2)."""
+    boxes = plan.furniture
+    gaps = [distance_to_box(points, b.center, b.size, b.angle).min() for b in boxes]
+    circles = plan.region_circles
+    away = np.hypot(*(points[:, None] - circles[:, :2]).transpose(2, 0, 1))
+    return min(gaps, default=1.0) > 0 and bool((away > circles[:, 2]).all())
 
 
 def _draw_furniture(box: Furniture, axes: "Axes") -> None:
@@ -109,18 +133,15 @@ def _draw_furniture(box: Furniture, axes: "Axes") -> None:
 
     color = TALL if box.tall else LOW
     axes.add_patch(Polygon(box.corners, fc=color, ec="#8c7a5c", lw=0.5, zorder=1))
-    upright = box.size[1] > box.size[0]
-    if max(box.size) > 0.085 * len(box.name) and min(box.size) >= 0.2:
-        axes.text(
-            *box.center,
-            box.name,
-            fontsize=4.5,
-            color="#5f5138",
-            rotation=box.angle + (90 if upright else 0),
-            ha="center",
-            va="center",
-            zorder=5,
-        )
+    turn = 90 if box.size[1] > 1.3 * box.size[0] else 0
+    along, across = box.size[::-1] if turn else box.size
+    text: dict[str, Any] = {"rotation": box.angle + turn, "color": "#5f5138"}
+    for name in (box.name, box.name.replace(" ", "\n")):
+        lines = name.split("\n")
+        if max(map(len, lines)) * LETTER < along and len(lines) * LINE < across:
+            text |= {"ha": "center", "va": "center", "zorder": 5, "fontsize": 4.5}
+            axes.text(*box.center, name, **text)
+            return
 
 
 def _draw_region(region: Region, axes: "Axes") -> None:

@@ -22,14 +22,14 @@ RegionActivity = Literal[
 ]
 
 
-class Wall(Record, kw_only=True, rename={"start": "from", "end": "to"}):
+class Wall(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "to"}):
     """A straight wall from one point to another [m]."""
 
     start: Point
     end: Point
 
 
-class Door(Record, kw_only=True, rename={"start": "from", "end": "to"}):
+class Door(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "to"}):
     """A door leaf in a gap between walls; closed, it is a wall.
 
     Attributes:
@@ -41,7 +41,7 @@ class Door(Record, kw_only=True, rename={"start": "from", "end": "to"}):
     open: bool = True
 
 
-class Furniture(Record, kw_only=True):
+class Furniture(Record, frozen=True, kw_only=True):
     """A box that stands on the floor.
 
     Attributes:
@@ -73,7 +73,7 @@ class Furniture(Record, kw_only=True):
         )
 
 
-class Region(Record, kw_only=True):
+class Region(Record, frozen=True, kw_only=True):
     """A circle on the floor in which a person plays a role.
 
     Attributes:
@@ -95,7 +95,7 @@ class Region(Record, kw_only=True):
         return activity_of(self.activity)
 
 
-class Room(Record, kw_only=True):
+class Room(Record, frozen=True, kw_only=True):
     """A named part of the plan, for texts and pictures.
 
     Attributes:
@@ -106,7 +106,7 @@ class Room(Record, kw_only=True):
     corners: Annotated[tuple[Point, ...], msgspec.Meta(min_length=3)]
 
 
-class FloorPlan(Record, kw_only=True):
+class FloorPlan(Record, frozen=True, kw_only=True):
     """A home.
 
     Attributes:

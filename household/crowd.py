@@ -1,0 +1,170 @@
+"""The crowd: everybody's body, where it is heading and where it looks.
+
+People come first and robots after them, in every array. The crowd plans walks, steers
+along them and turns heads; it knows nothing of why anyone goes anywhere.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.home.floorplan import FloorPlan
+from household.home.routes import routes_of
+from household.locomotion import steer
+from household.world import World
+
+Array = NDArray[np.float64]
+Waypoints = list[tuple[float, float]]
+
+PASSED = 0.15
+"""Distance at which a waypoint on the way counts as passed [m]."""
+
+ARRIVED = 0.05
+"""Distance at which a walk ends [m]."""
+
+STUCK = 2.0
+"""Time without progress after which a walker plans its way anew [s]."""
+
+
+class Crowd:
+    """Bodies on the move.
+
+    Args:
+        plan: The home.
+        radius: Of each body, shape (n,) [m].
+        mass: Of each body, shape (n,) [kg].
+        speed: Of each body when it walks, shape (n,) [m/s].
+        steering_period: Time between looks at where everybody walks [s].
+        physics_period: Length of a physics tick [s].
+
+    Attributes:
+        position: Where every body is, shape (n, 2) [m].
+        heading: Where every body faces, shape (n,) [rad].
+        gaze: Where every head points, shape (n,) [rad].
+        walk_began: Since when each body has been walking, NaN if it stands [s].
+    """
+
+    def __init__(
+        self,
+        plan: FloorPlan,
+        radius: Array,
+        mass: Array,
+        speed: Array,
+        steering_period: float,
+        physics_period: float,
+    ) -> None:
+        n = len(radius)
+        self._world = World(plan, radius, mass)
+        self._routes = routes_of(plan)
+        self._radius, self._speed = radius, speed
+        self._period, self._tick = steering_period, physics_period
+        self._ticks = round(steering_period / physics_period)
+        self._ways: list[Waypoints] = [[] for _ in range(n)]
+        self._waypoint = np.zeros((n, 2))
+        self._pace = np.zeros(n)
+        self._stalled = np.zeros(n)
+        self._moving = False
+        self.position = np.zeros((n, 2))
+        self.heading = np.zeros(n)
+        self.gaze = np.zeros(n)
+        self.walk_began = np.full(n, np.nan)
+
+    def place(self, position: Array, heading: Array) -> None:
+        """Puts everybody somewhere, at rest and looking ahead."""
+        self._world.place(position)
+        self.position = position.copy()
+        self.heading = heading.copy()
+        self.gaze = heading.copy()
+        self._pace[:] = 0.0
+        self._stalled[:] = 0.0
+        self._ways = [[] for _ in self._ways]
+        self.walk_began[:] = np.nan
+        self._moving = False
+
+    def walks(self, i: int) -> bool:
+        """Whether a body is on its way somewhere."""
+        return bool(self._pace[i] > 0.0)
+
+    def goal(self, i: int) -> tuple[float, float] | None:
+        """Where a body's walk will end [m]; None if it stands."""
+        return self._ways[i][-1] if self.walks(i) else None
+
+    def send(self, i: int, goal: tuple[float, float], now: float) -> bool:
+        """Sends a body on a walk.
+
+        Args:
+            i: Index of the body.
+            goal: Where to [m]; the nearest place where it fits is good enough.
+            now: [s].
+
+        Returns:
+            Whether a way leads there.
+        """
+        way = self._routes.plan(self.position[i], np.array(goal))
+        if not way:
+            self.halt(i)
+            return False
+        if not self.walks(i):
+            self.walk_began[i] = now
+        self._ways[i] = way
+        self._waypoint[i] = way[0]
+        self._pace[i] = self._speed[i]
+        self._stalled[i] = 0.0
+        return True
+
+    def halt(self, i: int) -> None:
+        """Ends a body's walk where it is."""
+        self._ways[i] = []
+        self._pace[i] = 0.0
+        self.walk_began[i] = np.nan
+
+    def advance(self) -> None:
+        """Lets one steering period pass."""
+        if not (self._moving or self._pace.any()):
+            return
+        velocity = steer(
+            self.position, self._waypoint, self._pace, self._radius, self._period
+        )
+        before = self.position
+        self.position = self._world.advance(velocity, self._tick, self._ticks)
+        # Bodies that were pushed come to rest in the period after.
+        self._moving = bool(np.abs(self.position - before).max() > 1e-6)
+        for i in np.flatnonzero(self._pace):
+            self.heading[i] = math.atan2(velocity[i, 1], velocity[i, 0])
+            self._progress(int(i), before[i])
+
+    def _progress(self, i: int, before: Array) -> None:
+        """Passes waypoints, ends the walk at the last, and notices when stuck."""
+        way = self._ways[i]
+        left = math.dist(self.position[i], way[0])
+        if left <= (PASSED if len(way) > 1 else ARRIVED):
+            way.pop(0)
+            if not way:
+                self.halt(i)
+                return
+            self._waypoint[i] = way[0]
+            return
+        gained = math.dist(before, way[0]) - left
+        slow = gained < 0.1 * self._speed[i] * self._period
+        self._stalled[i] = self._stalled[i] + self._period if slow else 0.0
+        if self._stalled[i] >= STUCK:
+            self._replan(i)
+
+    def _replan(self, i: int) -> None:
+        """Plans the rest of a walk anew from where the body was pushed to."""
+        self._stalled[i] = 0.0
+        way = self._routes.plan(self.position[i], np.array(self._ways[i][-1]))
+        if way:
+            self._ways[i] = way
+            self._waypoint[i] = way[0]
+
+    def turn_heads(self, target: Array, most: Array) -> None:
+        """Turns every head towards where it wants to look.
+
+        Args:
+            target: Wanted directions, shape (n,) [rad].
+            most: How far each head can turn in this time, shape (n,) [rad].
+        """
+        turn = (target - self.gaze + np.pi) % (2 * np.pi) - np.pi
+        self.gaze = self.gaze + np.clip(turn, -most, most)

@@ -1,0 +1,55 @@
+"""Feedback: touches, and what they are about."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Kind = Literal["caress", "tap"]
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """What a touch is really about; for evaluation, never for learners.
+
+    Attributes:
+        robot: The robot whose behavior called for it.
+        decision: The environment step at which the bout in question was begun.
+        behavior: Index of that behavior.
+        time: When the bout was begun [s].
+    """
+
+    robot: str
+    decision: int
+    behavior: int
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class Feedback:
+    """A touch as the robot feels it, with what it saw of the giver.
+
+    Attributes:
+        giver: Who touched.
+        kind: A caress praises, a tap sanctions.
+        strength: In (0, 1].
+        time: When it was felt [s].
+        mood: The giver's mood as the robot perceives it, in [-1, 1].
+        attending: Whether the giver attended to the robot.
+        approach_began: When the giver was seen to set out on the walk that brought
+            it here [s]; None if it did not need to walk.
+        attention_began: Since when the giver attends to the robot [s]; None if it
+            does not.
+    """
+
+    giver: str
+    kind: Kind
+    strength: float
+    time: float
+    mood: float
+    attending: bool
+    approach_began: float | None
+    attention_began: float | None
+
+    @property
+    def value(self) -> float:
+        """The reward: positive for a caress, negative for a tap, in [-1, 1]."""
+        return self.strength if self.kind == "caress" else -self.strength

@@ -1,0 +1,234 @@
+"""The people of a household: they judge what they perceive and do what they intend."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.activity import Activity
+from household.crowd import Crowd
+from household.people.appraisal import Judgement, heard_strength, seen_strength
+from household.people.mind import OWN_ACTIVITY, Mind, Percept, Wish
+from household.people.norms import norm_table
+from household.people.person import Person
+from household.people.places import Places
+from household.perception.senses import Senses
+from household.robots.robots import Robots
+from household.scenario import Scenario
+
+Array = NDArray[np.float64]
+MakeMinds = Callable[[Scenario], Sequence[Mind]]
+
+DRIFT = 0.3
+"""How far someone lets itself be pushed before it steps back to its spot [m]."""
+
+
+REACH = 0.8
+"""From the middle of a person to the middle of a robot that it touches [m]."""
+
+
+class People:
+    """Everybody in the household, in the order of the scenario.
+
+    Args:
+        scenario: Who they are.
+        make_minds: Gives each of them a mind, in order.
+
+    Attributes:
+        everyone: The persons.
+        places: Where their activities are.
+        place: Index of the region that each is in, -1 outside all, shape (n,).
+        activity: The role that each plays, as `Activity` values, shape (n,).
+    """
+
+    def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
+        self.places = Places(scenario.plan)
+        self.everyone = [
+            Person(
+                name=spec.name,
+                persona=persona,
+                preferences=_preferences(scenario, index),
+                mind=mind,
+                n_robots=len(scenario.robots),
+            )
+            for index, (spec, persona, mind) in enumerate(
+                zip(
+                    scenario.people,
+                    scenario.personas,
+                    make_minds(scenario),
+                    strict=True,
+                )
+            )
+        ]
+        self._starts = [spec.start for spec in scenario.people]
+        self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
+            len(self.everyone), len(Activity), 2, -1
+        )
+        self.place = np.full(len(self.everyone), -1, dtype=np.intp)
+        self.activity = np.full(len(self.everyone), int(Activity.UNKNOWN))
+
+    def begin(self, rngs: Sequence[np.random.Generator]) -> Array:
+        """Begins a new episode.
+
+        Args:
+            rngs: Each person's own random stream.
+
+        Returns:
+            Where everybody begins, shape (n, 2) [m].
+        """
+        self.places.clear()
+        position = np.zeros((len(self.everyone), 2))
+        for i, (person, rng) in enumerate(zip(self.everyone, rngs, strict=True)):
+            person.begin(rng)
+            spot = self.places.claim(i, person.intention.place)
+            position[i] = self._starts[i] or spot
+        self.locate(position)
+        return position
+
+    def locate(self, position: Array) -> None:
+        """Reads off which role everybody plays where it stands."""
+        self.place = self.places.at(position)
+        self.activity = self.places.roles(self.place)
+
+    def preferred(self, attends: NDArray[np.bool_]) -> Array:
+        """What everybody prefers of each robot right now.
+
+        Args:
+            attends: Whether each person attends to each robot, shape (n, n_robots).
+
+        Returns:
+            Shape (n, n_robots, n_behaviors), in [-1, 1].
+        """
+        rows = np.arange(len(self.everyone))[:, None]
+        chosen: Array = self._preferences[
+            rows, self.activity[:, None], attends.astype(np.intp)
+        ]
+        return chosen
+
+    def judge(self, senses: Senses, robots: Robots) -> list[list[Judgement]]:
+        """Everybody appraises the bouts that it did not appraise before.
+
+        Appraisal = preference x how strongly the bout was seen or heard.
+
+        Returns:
+            The new judgements of each person.
+        """
+        n = len(self.everyone)
+        found: list[list[Judgement]] = [[] for _ in range(n)]
+        attends = senses.attends[:n, n:]
+        strength = np.maximum(
+            seen_strength(senses.attention[:n, n:]),
+            heard_strength(senses.level[:n, n:]),
+        )
+        doing = robots.behaviors
+        value = (
+            strength
+            * self.preferred(attends)[:, np.arange(len(doing)), np.maximum(doing, 0)]
+        )
+        begun = np.array([bout.decision for bout in robots.bouts])
+        judged = np.array([p.judged for p in self.everyone]).reshape(n, -1)
+        for i, r in np.argwhere((value != 0.0) & (judged != begun) & (doing >= 0)):
+            person = self.everyone[i]
+            person.judged[r] = begun[r]
+            judgement = Judgement(
+                robot=_believed(senses, n, i, r),
+                value=float(value[i, r]),
+                attending=bool(attends[i, r]),
+                cause=robots.cause(int(r)),
+            )
+            person.live_through(judgement)
+            found[i].append(judgement)
+        return found
+
+    def decide(
+        self,
+        crowd: Crowd,
+        senses: Senses,
+        judgements: list[list[Judgement]],
+        clock: tuple[float, float],
+    ) -> None:
+        """Everybody decides what to do next and sets about it.
+
+        Args:
+            crowd: The bodies.
+            senses: What everybody perceives.
+            judgements: What everybody thinks of what is new.
+            clock: The time now and the time since the last decision [s].
+        """
+        now, period = clock
+        for i, person in enumerate(self.everyone):
+            person.calm_down(period)
+            person.intention = person.mind.decide(
+                Percept(
+                    time=now,
+                    period=period,
+                    activity=Activity(int(self.activity[i])),
+                    place=int(self.place[i]),
+                    walking=crowd.walks(i),
+                    touched=person.touched,
+                    mood=person.mood,
+                    judgements=judgements[i],
+                    sees=senses.sees[i],
+                    level=senses.level[i],
+                )
+            )
+            person.touched = False
+            wish = person.intention.wish
+            if wish is None or not self.reaches(i, wish, crowd, senses):
+                self._set_out(i, crowd, now)
+
+    def wishes(self) -> Iterator[tuple[int, Wish]]:
+        """The touches that people are out to give, with the index of the person."""
+        for i, person in enumerate(self.everyone):
+            if person.intention.wish is not None and not person.touched:
+                yield i, person.intention.wish
+
+    def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
+        """Whether a person's hand can touch the robot from where it stands."""
+        person = crowd.position[i]
+        robot = crowd.position[len(self.everyone) + wish.robot]
+        near = math.dist(person, robot) <= REACH
+        return near and senses.nothing_between(person, robot)
+
+    def _set_out(self, i: int, crowd: Crowd, now: float) -> None:
+        """Walks to where the person wants to be, unless it is on its way or there."""
+        intention = self.everyone[i].intention
+        if intention.wish is not None:
+            x, y = crowd.position[len(self.everyone) + intention.wish.robot]
+            goal = (float(x), float(y))
+        else:
+            goal = self.places.claim(i, intention.place)
+        heading_for = crowd.goal(i) or tuple(crowd.position[i])
+        if math.dist(heading_for, goal) > DRIFT:
+            crowd.send(i, goal, now)
+
+    def gaze_targets(self, crowd: Crowd) -> Array:
+        """The direction in which everybody wants to look, shape (n,) [rad]."""
+        return np.array([self._looks(i, crowd) for i in range(len(self.everyone))])
+
+    def _looks(self, i: int, crowd: Crowd) -> float:
+        look = self.everyone[i].intention.look
+        x, y = crowd.position[i]
+        if look != OWN_ACTIVITY:
+            there = crowd.position[look]
+        elif crowd.walks(i) or self.place[i] < 0:
+            return float(crowd.heading[i])
+        else:
+            there = np.array(self.places.regions[self.place[i]].facing)
+        return math.atan2(there[1] - y, there[0] - x)
+
+
+def _preferences(scenario: Scenario, index: int) -> Array:
+    """What a person finds polite: the household's norms, and where it departs."""
+    behaviors = scenario.behaviors
+    table = norm_table(scenario.household_norms, behaviors)
+    own = norm_table(scenario.personas[index].preferences, behaviors, np.nan)
+    return np.where(np.isnan(own), table, own)
+
+
+def _believed(senses: Senses, n: int, person: int, robot: int) -> int:
+    """The robot that a person blames: the one it saw, else the loudest it hears."""
+    if senses.sees[person, n + robot]:
+        return robot
+    return int(np.argmax(senses.level[person, n:]))

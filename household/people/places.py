@@ -1,0 +1,87 @@
+"""Places: the spots in activity regions where people stand, each for one person."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.activity import Activity
+from household.home.floorplan import FloorPlan
+from household.home.routes import routes_of
+from household.records import Point
+
+RING = 0.55
+"""Distance of further spots from the middle [m]: two bodies' radii and a little."""
+
+SPOTS_ON_RING = 6
+
+
+class Places:
+    """Activity regions with their spots, and who has claimed which.
+
+    Args:
+        plan: The home.
+    """
+
+    def __init__(self, plan: FloorPlan) -> None:
+        self.regions = plan.regions
+        self._circles = plan.region_circles
+        self._roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
+        routes = routes_of(plan)
+        self._spots = [
+            [
+                spot
+                for spot in _spots(r.center)
+                if routes.connects(np.array(spot), np.array(r.center))
+            ]
+            for r in plan.regions
+        ]
+        self._claims: dict[int, tuple[int, int]] = {}
+
+    def clear(self) -> None:
+        """Begins a new episode: nobody has claimed a spot."""
+        self._claims.clear()
+
+    def index(self, name: str) -> int:
+        """Index of the region with this name, else the first with this activity."""
+        names = [region.name for region in self.regions]
+        activities: list[str] = [region.activity for region in self.regions]
+        return names.index(name) if name in names else activities.index(name)
+
+    def claim(self, person: int, region: int) -> Point:
+        """The spot of a region where a person goes: its own, else the first free.
+
+        When all are taken, people crowd in the middle.
+        """
+        mine = self._claims.get(person)
+        if mine is None or mine[0] != region:
+            taken = {spot for r, spot in self._claims.values() if r == region}
+            free = (i for i in range(len(self._spots[region])) if i not in taken)
+            self._claims[person] = (region, next(free, 0))
+        return self._spots[region][self._claims[person][1]]
+
+    def at(self, position: NDArray[np.float64]) -> NDArray[np.intp]:
+        """The region that each point is in, -1 outside all.
+
+        Args:
+            position: Shape (n, 2) [m].
+
+        Returns:
+            Shape (n,); regions do not overlap.
+        """
+        gap = position[:, None, :] - self._circles[:, :2]
+        inside = (gap**2).sum(axis=2) <= self._circles[:, 2] ** 2
+        return np.where(inside.any(axis=1), inside.argmax(axis=1), -1)
+
+    def roles(self, place: NDArray[np.intp]) -> NDArray[np.int_]:
+        """The role that is played in each place, as `Activity` values."""
+        return self._roles[place]
+
+
+def _spots(center: Point) -> list[Point]:
+    """The middle of a region and a ring of spots round it [m]."""
+    angles = [2 * math.pi * i / SPOTS_ON_RING for i in range(SPOTS_ON_RING)]
+    ring = [
+        (center[0] + RING * math.cos(a), center[1] + RING * math.sin(a)) for a in angles
+    ]
+    return [center, *ring]

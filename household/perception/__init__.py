@@ -1,0 +1,1 @@
+"""What people and robots see, hear and attend to."""

@@ -1,0 +1,166 @@
+"""The perception kernel: sight, attention and hearing as plain loops over arrays.
+
+Compiled with Numba, because asking the physics engine for every line of sight would
+cost more than the rest of a step (docs/performance.md). Everything is pure: arrays
+in, arrays out; entities are indexed people first, then robots.
+"""
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+NEAREST = 0.3
+"""Distance below which a sound gets no louder [m]: an ear is not inside its source."""
+
+
+@njit(cache=True)
+def _crosses(ax, ay, bx, by, segment):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
+    """Whether the line from a to b crosses a segment (x1, y1, x2, y2)."""
+    x1, y1, x2, y2 = segment
+    dx, dy = bx - ax, by - ay
+    side1 = dx * (y1 - ay) - dy * (x1 - ax)
+    side2 = dx * (y2 - ay) - dy * (x2 - ax)
+    if side1 * side2 > 0.0:
+        return False
+    ex, ey = x2 - x1, y2 - y1
+    side3 = ex * (ay - y1) - ey * (ax - x1)
+    side4 = ex * (by - y1) - ey * (bx - x1)
+    return side3 * side4 <= 0.0 and side1 != side2
+
+
+@njit(cache=True)
+def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
+    """How many segments stand between each two entities.
+
+    Args:
+        position: Shape (n, 2) [m].
+        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+
+    Returns:
+        Shape (n, n), symmetric.
+    """
+    n = position.shape[0]
+    count = np.zeros((n, n), np.int64)
+    for i in range(n):
+        for j in range(i + 1, n):
+            for k in range(segments.shape[0]):
+                if _crosses(
+                    position[i, 0],
+                    position[i, 1],
+                    position[j, 0],
+                    position[j, 1],
+                    segments[k],
+                ):
+                    count[i, j] += 1
+            count[j, i] = count[i, j]
+    return count
+
+
+@njit(cache=True)
+def sight(
+    position: Array, gaze: Array, half_view: Array, hidden: NDArray[np.int64]
+) -> tuple[Mask, Array]:
+    """Who sees whom.
+
+    Args:
+        position: Shape (n, 2) [m].
+        gaze: Where the head points, shape (n,) [rad].
+        half_view: Half the field of view, shape (n,) [rad]; negative: eyes closed.
+        hidden: Opaque segments between each two entities, shape (n, n).
+
+    Returns:
+        sees: ``sees[i, j]``: j is in the field of view of i and nothing opaque is
+            between them; shape (n, n), False on the diagonal.
+        angle: Angle between the gaze of i and the direction to j, shape (n, n) [rad].
+    """
+    n = position.shape[0]
+    sees = np.zeros((n, n), np.bool_)
+    angle = np.zeros((n, n))
+    for i in range(n):
+        for j in range(n):
+            if i == j:
+                continue
+            direction = np.arctan2(
+                position[j, 1] - position[i, 1], position[j, 0] - position[i, 0]
+            )
+            off = abs(direction - gaze[i]) % (2.0 * np.pi)
+            angle[i, j] = min(off, 2.0 * np.pi - off)
+            sees[i, j] = angle[i, j] <= half_view[i] and hidden[i, j] == 0
+    return sees, angle
+
+
+@njit(cache=True)
+def attention(  # noqa: PLR0913, PLR0917 - one array for each factor of the formula
+    position: Array,
+    sees: Mask,
+    angle: Array,
+    salience: Array,
+    absorption: Array,
+    width: float,
+    distance: float,
+) -> Array:
+    """The attention matrix: how much of its attention each entity gives to each.
+
+    For observer i and entity j, with mass over distance squared after Maisonnasse
+    et al. (2006)::
+
+        a_ij = sees_ij * m_j * exp(-angle_ij^2 / (2 width^2)) / (1 + (d_ij / d0)^2)
+        A_ij = a_ij / (a_i0 + sum_k a_ik)
+
+    Args:
+        position: Shape (n, 2) [m].
+        sees: Shape (n, n), from `sight`.
+        angle: Shape (n, n) [rad], from `sight`.
+        salience: Mass m of each entity, shape (n,).
+        absorption: a_i0, what the own activity holds back, shape (n,), above 0.
+        width: Of the gaze's focus [rad].
+        distance: d0, at which an entity counts half [m].
+
+    Returns:
+        A, shape (n, n); rows sum to less than 1.
+    """
+    n = position.shape[0]
+    share = np.zeros((n, n))
+    for i in range(n):
+        total = absorption[i]
+        for j in range(n):
+            if sees[i, j]:
+                dx = position[j, 0] - position[i, 0]
+                dy = position[j, 1] - position[i, 1]
+                near = 1.0 + (dx * dx + dy * dy) / (distance * distance)
+                focus = np.exp(-(angle[i, j] ** 2) / (2.0 * width * width))
+                share[i, j] = salience[j] * focus / near
+                total += share[i, j]
+        for j in range(n):
+            share[i, j] /= total
+    return share
+
+
+@njit(cache=True)
+def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> Array:
+    """What a sound loses on its way from each entity to each other one.
+
+    A point source loses 6 dB for each doubling of the distance beyond 1 m, and a
+    fixed amount with each wall in between.
+
+    Args:
+        position: Shape (n, 2) [m].
+        walls: Walls between each two entities, shape (n, n).
+        wall_loss: What one wall takes away [dB].
+
+    Returns:
+        Shape (n, n), symmetric [dB]; infinite on the diagonal.
+    """
+    n = position.shape[0]
+    loss = np.full((n, n), np.inf)
+    for i in range(n):
+        for j in range(i + 1, n):
+            dx = position[j, 0] - position[i, 0]
+            dy = position[j, 1] - position[i, 1]
+            away = max(np.sqrt(dx * dx + dy * dy), NEAREST)
+            loss[i, j] = 20.0 * np.log10(away) + wall_loss * walls[i, j]
+            loss[j, i] = loss[i, j]
+    return loss

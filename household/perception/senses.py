@@ -1,0 +1,103 @@
+"""Senses: who sees, hears and attends to whom at this moment."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.home.floorplan import FloorPlan
+from household.perception import kernel
+from household.scenario import PerceptionModel
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+class Senses:
+    """What everybody perceives; people come first and robots after them.
+
+    Attributes:
+        sees: ``sees[i, j]``: i sees j, shape (n, n).
+        attention: The attention matrix, shape (n, n); rows are observers and sum to
+            less than 1.
+        attends: ``attends[i, j]``: i attends to j, with hysteresis, shape (n, n).
+        attention_began: Since when i attends to j [s], NaN if it does not, (n, n).
+        loss: What a sound loses on its way from j to i, shape (n, n) [dB].
+        level: How loud i hears j, shape (n, n) [dB], at least 0.
+    """
+
+    def __init__(self, plan: FloorPlan, model: PerceptionModel, n: int) -> None:
+        self._opaque = plan.opaque_segments
+        self._walls = plan.wall_segments
+        self._model = model
+        self._focus = np.deg2rad(model.focus)
+        self._n = n
+        self.forget()
+
+    def forget(self) -> None:
+        """Begins a new episode: nobody has perceived anything yet."""
+        n = self._n
+        self._position = np.full((n, 2), np.nan)
+        self.sees = np.zeros((n, n), dtype=np.bool_)
+        self.attention = np.zeros((n, n))
+        self.attends = np.zeros((n, n), dtype=np.bool_)
+        self.attention_began = np.full((n, n), np.nan)
+        self.loss = np.full((n, n), np.inf)
+        self.level = np.zeros((n, n))
+
+    def perceive(  # noqa: PLR0913 - one array for each thing that is perceived
+        self,
+        *,
+        position: Array,
+        gaze: Array,
+        half_view: Array,
+        salience: Array,
+        absorption: Array,
+        source: Array,
+        now: float,
+    ) -> None:
+        """Perceives this moment.
+
+        Args:
+            position: Shape (n, 2) [m].
+            gaze: Where each head points, shape (n,) [rad].
+            half_view: Half the field of view, (n,) [rad]; negative: eyes closed.
+            salience: How strongly each draws the eye, shape (n,).
+            absorption: What each one's activity holds back, shape (n,).
+            source: Sound level of each at 1 m, shape (n,) [dB].
+            now: [s].
+        """
+        if not np.array_equal(position, self._position):
+            self._position = position.copy()
+            self._hidden = kernel.crossings(position, self._opaque)
+            walls = kernel.crossings(position, self._walls)
+            self.loss = kernel.attenuation(position, walls, self._model.wall_loss)
+        self.sees, angle = kernel.sight(position, gaze, half_view, self._hidden)
+        self.attention = kernel.attention(
+            position,
+            self.sees,
+            angle,
+            salience,
+            absorption,
+            self._focus,
+            self._model.distance,
+        )
+        self.level = np.maximum(source - self.loss, 0.0)
+        self._attend(now)
+
+    def nothing_between(self, one: Array, other: Array) -> bool:
+        """Whether no wall or closed door stands between two points.
+
+        Args:
+            one: Shape (2,) [m].
+            other: Shape (2,) [m].
+        """
+        return bool(kernel.crossings(np.stack([one, other]), self._walls)[0, 1] == 0)
+
+    def _attend(self, now: float) -> None:
+        """Attending begins above one threshold and ends below a lower one."""
+        threshold = np.where(
+            self.attends, self._model.attend_below, self._model.attend_above
+        )
+        attends = self.attention >= threshold
+        self.attention_began[attends & ~self.attends] = now
+        self.attention_began[~attends] = np.nan
+        self.attends = attends

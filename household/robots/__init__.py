@@ -1,0 +1,1 @@
+"""Robots: what they can do and what they feel."""

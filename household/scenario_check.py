@@ -1,0 +1,147 @@
+"""How the parts of a scenario must fit together, with the path of every fault."""
+
+from collections.abc import Collection, Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from household.errors import HouseholdError, choose_from
+from household.home.check import checked
+from household.home.routes import routes_of
+from household.people.norms import Norms
+from household.records import Point
+from household.robots.behavior import catalogue
+from household.scenario import PersonSpec, Scenario, read_scenario
+
+
+def load_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:
+    """A scenario that is wholly checked.
+
+    Args:
+        scenario: A built-in name, a path to a TOML file, or a scenario.
+        **overrides: Top-level fields to replace.
+
+    Raises:
+        HouseholdError: Names the file, the path inside it and what is allowed.
+    """
+    made = read_scenario(scenario, **overrides)
+    origin = scenario.name if isinstance(scenario, Scenario) else str(scenario)
+    for problem in problems(made):
+        raise HouseholdError(f"{origin}: {problem}")
+    return made
+
+
+def problems(scenario: Scenario) -> Iterator[str]:
+    """Everything that is wrong with a scenario, one line each.
+
+    Raises:
+        HouseholdError: If the home or a persona cannot be read at all.
+    """
+    home = scenario.home
+    checked(scenario.plan, home if isinstance(home, str) else "home")
+    yield from _periods(scenario)
+    yield from _behaviors(scenario)
+    yield from _names(scenario)
+    yield from _slots(scenario)
+    for index, person in enumerate(scenario.people):
+        yield from _script(scenario, person, f"people[{index}]")
+    yield from _places(scenario)
+
+
+def _periods(scenario: Scenario) -> Iterator[str]:
+    clocks = ("decision_period", "steering_period", "physics_period")
+    for longer, shorter in pairwise(clocks):
+        ratio = getattr(scenario, longer) / getattr(scenario, shorter)
+        if ratio < 1 or abs(ratio - round(ratio)) > 1e-9:
+            yield f"{longer}: must be a whole multiple of {shorter}"
+
+
+def _behaviors(scenario: Scenario) -> Iterator[str]:
+    known = catalogue() | scenario.behavior
+    for index, name in enumerate(scenario.behaviors):
+        if name not in known:
+            yield f"behaviors[{index}]: {choose_from(name, known, 'behavior')}"
+    if len(set(scenario.behaviors)) < len(scenario.behaviors):
+        yield "behaviors: every name may stand there once"
+    yield from _norms(scenario.norms or {}, known, "norms")
+    for index, persona in enumerate(scenario.personas):
+        yield from _norms(persona.preferences, known, f"people[{index}].preferences")
+
+
+def _norms(norms: Norms, known: Collection[str], path: str) -> Iterator[str]:
+    for activity, norm in norms.items():
+        for part in ("attending", "absorbed"):
+            for name in getattr(norm, part):
+                if name not in known:
+                    problem = choose_from(name, known, "behavior")
+                    yield f"{path}.{activity}.{part}: {problem}"
+
+
+def _names(scenario: Scenario) -> Iterator[str]:
+    taken = set(scenario.robot_names)
+    for index, name in enumerate(scenario.person_names):
+        if name in taken:
+            yield f"people[{index}].name: {name!r} is taken; allowed: any other name"
+        taken.add(name)
+
+
+def _slots(scenario: Scenario) -> Iterator[str]:
+    for kind, has in (("people", scenario.people), ("robots", scenario.robots)):
+        slots = getattr(scenario.slots, kind)
+        if slots is not None and slots < len(has):
+            yield f"slots.{kind}: must be at least {len(has)}, one for each"
+
+
+def _script(scenario: Scenario, person: PersonSpec, path: str) -> Iterator[str]:
+    regions = scenario.plan.regions
+    places = {r.name for r in regions} | {r.activity for r in regions}
+    others = {*scenario.robot_names, *scenario.person_names} - {person.name}
+    for index, step in enumerate(person.script):
+        here = f"{path}.script[{index}]"
+        if step.place not in places:
+            yield f"{here}.place: {choose_from(step.place, places, 'place')}"
+        if step.look_at is not None and step.look_at not in others:
+            yield f"{here}.look_at: {choose_from(step.look_at, others, 'entity')}"
+        if step.duration[0] > step.duration[1]:
+            yield f"{here}.duration: the shortest time comes first, then the longest"
+
+
+def _places(scenario: Scenario) -> Iterator[str]:
+    """Nobody begins inside a wall, outdoors, on top of another, or shut away."""
+    bodies = [
+        (f"people[{i}].start", p.start)
+        for i, p in enumerate(scenario.people)
+        if p.start
+    ]
+    bodies += [
+        (f"robots[{i}].position", r.position) for i, r in enumerate(scenario.robots)
+    ]
+    for index, (path, point) in enumerate(bodies):
+        if problem := _misplaced(scenario, point):
+            yield f"{path}: {problem}"
+        for other, there in bodies[:index]:
+            if np.hypot(point[0] - there[0], point[1] - there[1]) < APART:
+                yield f"{path}: overlaps {other}; allowed: at least {APART} m apart"
+
+
+APART = 0.5
+"""Least distance between the centers of two bodies at the beginning [m]."""
+
+
+def _misplaced(scenario: Scenario, point: Point) -> str:
+    """Why a body cannot begin at a point, or an empty text."""
+    routes, here = routes_of(scenario.plan), np.array(point)
+    if not routes.is_indoors(here):
+        return "in a wall, in furniture or outdoors; allowed: free floor indoors"
+    if not routes.connects(here, np.array(scenario.plan.regions[0].center)):
+        return "no way leads there; allowed: where people can walk to"
+    return ""
+
+
+def check_file(path: str | Path) -> tuple[str, ...]:
+    """Every problem of a scenario, one line each; empty if it can be used."""
+    try:
+        return tuple(f"{path}: {problem}" for problem in problems(read_scenario(path)))
+    except HouseholdError as error:
+        return (str(error),)

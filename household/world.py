@@ -1,0 +1,96 @@
+"""The physical world: the only file that knows Pymunk.
+
+Walls and furniture are static shapes, people and robots dynamic circles that are
+steered by velocities and push each other. (Kinematic bodies would walk through
+walls.) There is no gravity and no friction: the floor is seen from above.
+"""
+
+import numpy as np
+import pymunk
+import pymunk.batch
+from numpy.typing import NDArray
+from pymunk.batch import BodyFields
+
+from household.home.floorplan import FloorPlan
+
+Array = NDArray[np.float64]
+
+
+class World:
+    """Bodies in a home.
+
+    Args:
+        plan: The home.
+        radius: Of each body, shape (n,) [m].
+        mass: Of each body, shape (n,) [kg].
+    """
+
+    def __init__(self, plan: FloorPlan, radius: Array, mass: Array) -> None:
+        self.space = pymunk.Space()
+        self._add_home(plan)
+        self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
+        self._read_buffer = pymunk.batch.Buffer()
+        self._write_buffer = pymunk.batch.Buffer()
+        self._rows = self._batch_rows()
+        self._velocity = np.zeros((len(self._bodies) + 1, 2))
+        self._write_buffer.set_float_buf(self._velocity)
+
+    def _add_home(self, plan: FloorPlan) -> None:
+        ground = self.space.static_body
+        for x1, y1, x2, y2 in plan.wall_segments:
+            half = plan.wall_thickness / 2
+            self.space.add(pymunk.Segment(ground, (x1, y1), (x2, y2), half))
+        for box in plan.furniture:
+            self.space.add(pymunk.Poly(ground, list(box.corners)))
+
+    def _add_body(self, radius: float, mass: float) -> pymunk.Body:
+        # An infinite moment: bodies do not spin, headings are the owners' own.
+        body = pymunk.Body(mass, float("inf"))
+        self.space.add(body, pymunk.Circle(body, radius))
+        return body
+
+    def _batch_rows(self) -> NDArray[np.intp]:
+        """The row of each body in Pymunk's batches, which hold the ground too."""
+        buffer = pymunk.batch.Buffer()
+        pymunk.batch.get_space_bodies(self.space, BodyFields.BODY_ID, buffer)
+        ids = list(memoryview(buffer.int_buf()).cast("P"))
+        return np.array([ids.index(body.id) for body in self._bodies], dtype=np.intp)
+
+    def place(self, position: Array) -> None:
+        """Puts every body somewhere, at rest.
+
+        Args:
+            position: Shape (n, 2) [m].
+        """
+        for body, (x, y) in zip(self._bodies, position, strict=True):
+            body.position = float(x), float(y)
+            body.velocity = 0.0, 0.0
+            self.space.reindex_shapes_for_body(body)
+
+    def position(self) -> Array:
+        """Where every body is, a new array of shape (n, 2) [m]."""
+        self._read_buffer.clear()
+        pymunk.batch.get_space_bodies(
+            self.space, BodyFields.POSITION, self._read_buffer
+        )
+        batch = np.frombuffer(self._read_buffer.float_buf(), dtype=np.float64)
+        return batch.reshape(-1, 2)[self._rows]
+
+    def advance(self, velocity: Array, tick: float, ticks: int) -> Array:
+        """Moves every body for some ticks.
+
+        Args:
+            velocity: What each body sets out with, shape (n, 2) [m/s].
+            tick: Length of a tick [s].
+            ticks: How many.
+
+        Returns:
+            Where every body is then, shape (n, 2) [m].
+        """
+        self._velocity[self._rows] = velocity
+        pymunk.batch.set_space_bodies(
+            self.space, BodyFields.VELOCITY, self._write_buffer
+        )
+        for _ in range(ticks):
+            self.space.step(tick)
+        return self.position()
