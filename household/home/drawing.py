@@ -124,7 +124,7 @@ def _is_blank(points: NDArray[np.float64], plan: FloorPlan) -> bool:
     gaps = [distance_to_box(points, b.center, b.size, b.angle).min() for b in boxes]
     circles = plan.region_circles
     away = np.hypot(*(points[:, None] - circles[:, :2]).transpose(2, 0, 1))
-    return min(gaps, default=1.0) > 0 and bool((away > circles[:, 2]).all())
+    return min(gaps, default=1.0) > 0.05 and bool((away > circles[:, 2]).all())
 
 
 def _draw_furniture(box: Furniture, axes: "Axes") -> None:
