@@ -7,15 +7,35 @@ from typing import Any, cast
 
 import numpy as np
 
+from learners.adaptive import AdaptiveAnalogy
 from learners.advice import Advice
+from learners.analogy import Canonical, Propagation, RemoveEntity, SwapRoles
 from learners.credit import Designated, Trace
 from learners.errors import ParameterError, UnknownNameError
 from learners.heuristics import AttentionShift, FixedDelay, MostRecent
 from learners.learner import Learner
 from learners.qlearner import QLearner
 from learners.rates import AsynchronousRate, SynchronousRate
+from learners.rivals.advise import Advise
+from learners.rivals.bounds import BestConstant, Oracle, OracleCredit, RandomChoice
+from learners.rivals.coach import Coach
+from learners.rivals.delay_density import DelayDensity
+from learners.rivals.e_coach import ECoach
+from learners.rivals.fixed_shift import FixedShift
+from learners.rivals.full_sharing import FullSharing
+from learners.rivals.hierarchical_thompson import HierarchicalThompson
+from learners.rivals.hysteretic import Hysteretic
+from learners.rivals.i_sabl import ISabl
+from learners.rivals.no_sharing import NoSharing
+from learners.rivals.sign_asymmetric import SignAsymmetric
+from learners.rivals.skip_silence import SkipSilence
+from learners.rivals.symmetric import SymmetricQ
+from learners.rivals.tamer import Tamer
+from learners.rivals.travel_posterior import TravelPosterior
+from learners.rivals.uniform_window import UniformWindow
 
 Parts = Callable[..., dict[str, Any]]
+"""Makes settings from what a recipe needs; `dict` passes that on as it is."""
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -88,10 +108,129 @@ CATALOG: Mapping[str, Recipe] = {
         parts=lambda: {"credit": Designated(heuristic=AttentionShift())},
     ),
     "advice": Recipe(
-        summary='designated credit, asking "why?" when in doubt',
+        summary="designated credit, asking why when in doubt",
         kind=QLearner,
         parts=lambda ask: {"credit": Designated(heuristic=Advice(ask=ask))},
         needs=("ask",),
+    ),
+    "designated_swap": Recipe(
+        summary="designated credit and SwapRoles, two actors (experiment 5)",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(), "analogy": Propagation()},
+    ),
+    "designated_remove": Recipe(
+        summary="designated credit and SwapRoles and RemoveEntity",
+        kind=QLearner,
+        parts=lambda: {
+            "credit": Designated(),
+            "analogy": Propagation(operators=(SwapRoles(), RemoveEntity())),
+        },
+    ),
+    "designated_canonical": Recipe(
+        summary="designated credit and the canonical form, many actors",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(), "analogy": Canonical()},
+    ),
+    "designated_adaptive": Recipe(
+        summary="designated credit and analogy trusted as far as people agree",
+        kind=QLearner,
+        parts=lambda: {"credit": Designated(), "analogy": AdaptiveAnalogy()},
+    ),
+    "skip_silence": Recipe(
+        summary="Q-learning that skips steps without feedback",
+        kind=SkipSilence,
+    ),
+    "hysteretic": Recipe(
+        summary="Q-learning slow to believe bad news",
+        kind=Hysteretic,
+    ),
+    "sign_asymmetric": Recipe(
+        summary="Q-learning that weighs caress, tap and silence apart",
+        kind=SignAsymmetric,
+    ),
+    "tamer": Recipe(
+        summary="predicts the feedback itself, credit by a delay density",
+        kind=Tamer,
+    ),
+    "coach": Recipe(
+        summary="policy gradient weighed by feedback",
+        kind=Coach,
+    ),
+    "e_coach": Recipe(
+        summary="policy gradient by episodes, discounted",
+        kind=ECoach,
+    ),
+    "advise": Recipe(
+        summary="policy shaping: touches as votes",
+        kind=Advise,
+    ),
+    "i_sabl": Recipe(
+        summary="reads silence as evidence, by EM",
+        kind=ISabl,
+    ),
+    "fixed_shift": Recipe(
+        summary="Q-learning, credit a constant delay ago",
+        kind=QLearner,
+        parts=lambda: {"credit": FixedShift()},
+    ),
+    "uniform_window": Recipe(
+        summary="Q-learning, credit spread over a window",
+        kind=QLearner,
+        parts=lambda: {"credit": UniformWindow()},
+    ),
+    "delay_density": Recipe(
+        summary="Q-learning, credit by TAMER's delay density",
+        kind=QLearner,
+        parts=lambda: {"credit": DelayDensity()},
+    ),
+    "travel_posterior": Recipe(
+        summary="Q-learning, credit by Bayes over when the giver set out",
+        kind=QLearner,
+        parts=lambda: {"credit": TravelPosterior()},
+    ),
+    "symmetric": Recipe(
+        summary="standard Q-learning, one table tied over the orbit",
+        kind=SymmetricQ,
+    ),
+    "full_sharing": Recipe(
+        summary="mean touch per place, everybody's opinion pooled",
+        kind=FullSharing,
+        parts=lambda: {"credit": Designated()},
+    ),
+    "no_sharing": Recipe(
+        summary="mean touch per place, each person by itself",
+        kind=NoSharing,
+        parts=lambda: {"credit": Designated()},
+    ),
+    "hierarchical_thompson": Recipe(
+        summary="partial pooling over people, Thompson sampling",
+        kind=HierarchicalThompson,
+        parts=lambda: {"credit": Designated()},
+    ),
+    "random": Recipe(
+        summary="any behavior at any time",
+        kind=RandomChoice,
+    ),
+    "best_constant": Recipe(
+        summary="the one behavior that is best on average",
+        kind=BestConstant,
+        needs=("appropriateness",),
+    ),
+    "population_oracle": Recipe(
+        summary="best for the average person",
+        kind=Oracle,
+        needs=("appropriateness",),
+    ),
+    "persona_oracle": Recipe(
+        summary="best for the people who are there",
+        kind=Oracle,
+        needs=("appropriateness",),
+    ),
+    "oracle_credit": Recipe(
+        summary="social Q-learning, credit to the true cause",
+        kind=QLearner,
+        parts=lambda cause: {"credit": OracleCredit(cause=cause)},
+        needs=("cause",),
     ),
 }
 

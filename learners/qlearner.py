@@ -94,6 +94,14 @@ class QLearner(CreditedLearner):
                 another robot's.
         """
         spread = [self.analogy.spread(target.state) for target in targets]
+        self._move(targets, spread, strength)
+
+    def _move(
+        self,
+        targets: Sequence[Target],
+        spread: Sequence[Sequence[tuple[Hashable, float]]],
+        strength: float,
+    ) -> None:
         for target, rows in zip(targets, spread, strict=True):
             self.table.update(
                 [self._change(target, row, share * strength) for row, share in rows]
@@ -103,11 +111,11 @@ class QLearner(CreditedLearner):
         self.targets = tuple(
             target for assignment in assignments for target in self._targets(assignment)
         )
+        spread = [self.analogy.spread(target.state) for target in self.targets]
         for feedback, weights in assignments:
-            if feedback is not None:
-                for entry, weight in weights:
-                    self.analogy.observe(entry.state, entry.action, feedback, weight)
-        self.move(self.targets)
+            for entry, weight in weights:
+                self.analogy.observe(entry, feedback, weight)
+        self._move(self.targets, spread, 1.0)
 
     def _targets(self, assignment: Assignment) -> list[Target]:
         feedback, weights = assignment

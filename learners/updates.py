@@ -55,21 +55,24 @@ def pooled(
 ) -> float:
     """Partial pooling: own experience first, the others' where there is little.
 
-    The others' value is shrunk by the trust in it, and weighs as much as
-    `noise * trust / (1 - trust)` experiences of one's own: at trust 0 the own value
-    stands alone, at trust 1 the others' does.
+        own + w * (others - own),   w = trust * k / (n_own + k)
+
+    where k = noise * trust / (1 - trust) is how many touches of one's own the others'
+    value is worth. At trust 0 the own value stands alone, at trust 1 the others' does.
 
     Args:
         own: value learned in this very state.
-        n_own: experiences behind it, >= 0.
+        n_own: touches behind it, >= 0.
         others: value learned in all analogous states together.
         trust: how far people agree, in [0, 1].
         noise: variance of one touch over the variance of tastes, > 0.
 
-    Source: our choice, after the normal hierarchical model (Gelman & Hill 2007, 12.2).
+    Source: our choice, after the normal hierarchical model (Gelman & Hill 2007, 12.2):
+    with tastes of variance 1, of which people share the part `trust`, one touch with
+    variance `noise`, and an unknown taste guessed at trust * others.
     """
-    if trust >= 1.0:
-        return others
-    worth = noise * trust / (1.0 - trust)
-    weight = n_own / (n_own + worth) if n_own > 0.0 else 0.0
-    return weight * own + (1.0 - weight) * trust * others
+    if trust <= 0.0:
+        return own
+    worth = noise * trust
+    weight = trust * worth / (n_own * (1.0 - trust) + worth)
+    return own + weight * (others - own)
