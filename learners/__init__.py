@@ -6,6 +6,7 @@ from learners.experience import Experience, Feedback
 from learners.learner import Credit, Learner, Share
 from learners.qlearner import QLearner
 from learners.saving import load, saved
+from learners.team import Team, make_team
 
 __all__ = [
     "CATALOG",
@@ -16,7 +17,9 @@ __all__ = [
     "LearnerError",
     "QLearner",
     "Share",
+    "Team",
     "load",
     "make_learner",
+    "make_team",
     "saved",
 ]

@@ -15,7 +15,7 @@ import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import FunctionType
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -26,7 +26,13 @@ VERSION = 1
 ATTACHED: Mapping[str, bool] = {"attached": True}
 DERIVED: Mapping[str, bool] = {"derived": True}
 
-_T = TypeVar("_T", bound=type | FunctionType)
+
+class _Named(Protocol):
+    __name__: str
+    __module__: str
+
+
+_T = TypeVar("_T", bound=_Named)
 _registry: dict[str, Any] = {}
 
 
