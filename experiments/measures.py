@@ -15,13 +15,17 @@ import polars as pl
 
 from experiments.statistics import FloatArray
 
+Measure = Callable[[pl.DataFrame], float]
+"""Takes the table of a trial, returns one number."""
+
+StudyMeasure = Callable[[pl.DataFrame], FloatArray]
+"""Takes the table of a study, returns one number per seed."""
+
 CONVERGED_SHARE = 0.9
 """Share of appropriate choices from which a situation counts as learned."""
 
 
-def per_seed(
-    frame: pl.DataFrame, condition: str, measure: Callable[[pl.DataFrame], float]
-) -> FloatArray:
+def per_seed(frame: pl.DataFrame, condition: str, measure: Measure) -> FloatArray:
     """Returns a measure of every trial of a condition, in the order of the seeds.
 
     Args:

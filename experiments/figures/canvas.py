@@ -1,0 +1,183 @@
+"""Puts drawn cells on a page: side by side for print, one by one for the report.
+
+A figure is some columns of cells that share their x axis. Files are the same, byte for
+byte, for the same data.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from experiments.results import write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+COLUMN_WIDTH = 5.6
+"""Width of a column. [inch]"""
+
+INK, LINE, PAPER = "#1b1f24", "#d3d8de", "#ffffff"
+
+PALETTE = ("#d55e00", "#0072b2", "#00795a", "#9a4d80")
+"""Okabe and Ito's colors, told apart by color-blind readers too; darkened for print."""
+
+DASHES = ((0, (4, 1.5)), "solid", (0, (1, 1)), (0, (5, 1, 1, 1)))
+"""Line styles that go with the palette, for readers without any color."""
+
+_THEMED = {INK: "--ink", LINE: "--line", PAPER: "--paper"} | {
+    color: f"--series-{index}" for index, color in enumerate(PALETTE)
+}
+
+_STYLE: dict[Any, object] = {
+    "axes.axisbelow": True,
+    "axes.edgecolor": INK,
+    "axes.facecolor": PAPER,
+    "axes.grid": True,
+    "axes.grid.axis": "y",
+    "axes.labelcolor": INK,
+    "axes.labelsize": 11,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlecolor": INK,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 12,
+    "figure.facecolor": PAPER,
+    "font.size": 11,
+    "grid.color": LINE,
+    "legend.fontsize": 10,
+    "legend.frameon": False,
+    "legend.labelcolor": INK,
+    "savefig.dpi": 160,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "household",
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cell:
+    """One pair of axes."""
+
+    label: str
+    """What the y axis shows, with its unit."""
+
+    draw: Callable[[Axes], None]
+    """Draws into the axes; times are in minutes."""
+
+    height: float = 1.7
+    """[inch]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Column:
+    """Cells one below the other, with one time axis."""
+
+    title: str
+    """What the column shows."""
+
+    cells: tuple[Cell, ...]
+    """From top to bottom."""
+
+
+def save(columns: Sequence[Column], stem: Path) -> tuple[Path, Path]:
+    """Writes a figure as SVG and as PNG.
+
+    Args:
+        columns: Shown side by side.
+        stem: Path without its suffix.
+
+    Returns:
+        The two files.
+    """
+    paths = stem.with_suffix(".svg"), stem.with_suffix(".png")
+    with _styled():
+        figure = _lay_out(columns)
+        for path in paths:
+            _write(figure, path)
+    return paths
+
+
+def inline(columns: Sequence[Column], name: str) -> tuple[str, ...]:
+    """Returns one SVG element per column, to be set in a page.
+
+    Colors are the page's (`--ink`, `--line`, `--paper`, `--series-0`, ...), so they
+    follow its light or dark theme; the size is that of the surrounding box.
+
+    Args:
+        columns: Drawn one by one, so that they can stand below each other on a phone.
+        name: Keeps the ids of several figures in one page apart.
+    """
+    return tuple(
+        _for_page(_svg([column], f"{name}-{index}"), column)
+        for index, column in enumerate(columns)
+    )
+
+
+@contextmanager
+def _styled() -> Iterator[None]:
+    import matplotlib as mpl
+
+    with mpl.rc_context():
+        mpl.rcdefaults()  # a user's matplotlibrc must not change the files
+        mpl.rcParams.update(_STYLE)
+        yield
+
+
+def _lay_out(columns: Sequence[Column]) -> Figure:
+    from matplotlib.figure import Figure
+
+    heights = [cell.height for cell in columns[0].cells]
+    figure = Figure(
+        figsize=(COLUMN_WIDTH * len(columns), sum(heights) + 0.9), layout="constrained"
+    )
+    grid = figure.subplots(
+        len(heights), len(columns), sharex="col", squeeze=False, height_ratios=heights
+    )
+    for index, column in enumerate(columns):
+        for axes, cell in zip(grid[:, index], column.cells, strict=True):
+            axes.set_ylabel(cell.label)
+            cell.draw(axes)
+        grid[0, index].set_title(column.title, pad=14)
+        grid[-1, index].set_xlabel("time [min]")
+    figure.align_ylabels()
+    return figure
+
+
+def _write(figure: Figure, path: Path) -> None:
+    kind = path.suffix.removeprefix(".")
+    metadata = {"Date": None, "Creator": None} if kind == "svg" else {"Software": None}
+    write_whole(
+        path,
+        lambda temporary: figure.savefig(temporary, format=kind, metadata=metadata),
+    )
+
+
+def _svg(columns: Sequence[Column], name: str) -> str:
+    import matplotlib as mpl
+
+    buffer = io.StringIO()
+    with _styled():
+        mpl.rcParams["svg.hashsalt"] = name
+        _lay_out(columns).savefig(
+            buffer, format="svg", metadata={"Date": None, "Creator": None}
+        )
+    return buffer.getvalue()
+
+
+def _for_page(svg: str, column: Column) -> str:
+    body = svg[svg.index("<svg") :]
+    body = re.sub(r' (?:width|height)="[\d.]+pt"', "", body, count=2)
+    body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
+    for color, variable in _THEMED.items():
+        body = body.replace(color, f"var({variable})")
+    shown = ", ".join(cell.label.replace("\n", " ") for cell in column.cells)
+    return body.replace("<svg", f'<svg role="img" aria-label="{shown}"', 1)

@@ -1,0 +1,248 @@
+"""What the paper's figures show, each for one trial and for all seeds.
+
+A row draws itself twice: for the typical trial, and as mean over all seeds with a
+pointwise 95 % bootstrap band. Times are drawn in minutes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+import polars as pl
+
+from experiments import measures
+from experiments.figures.canvas import DASHES, INK, PALETTE
+from experiments.statistics import FloatArray, mean_band
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MINUTE = 60.0
+POINTS = 121
+BINS = 20
+
+
+class Row(Protocol):
+    """One row of a figure."""
+
+    @property
+    def label(self) -> str:
+        """Label of the y axis."""
+
+    @property
+    def height(self) -> float:
+        """Height in inches."""
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws one trial."""
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws all trials of a condition (with a column `seed`)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BehaviorSequence:
+    """Which behavior the robot did when; over all seeds: the share of the time."""
+
+    label: str = "behavior"
+    height: float = 1.1
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws a lane for each behavior."""
+        names = measures.behaviors(trial)
+        for lane, name in enumerate(names):
+            done = trial.filter(pl.col("behavior") == name)
+            begun = done["time"].to_numpy() / MINUTE
+            ended = done["next_time"].to_numpy() / MINUTE
+            spans = list(zip(begun, ended - begun, strict=True))
+            axes.broken_barh(spans, (lane - 0.4, 0.8), color=PALETTE[lane])
+        axes.set_yticks(range(len(names)), _spoken(names))
+        axes.set_ylim(-0.6, len(names) - 0.4)
+        axes.grid(visible=False)
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws the share of the time that each behavior takes."""
+        end = _end(trials)
+        for lane, name in enumerate(measures.behaviors(trials)):
+            shares = _per_trial(trials, partial(_time_share, behavior=name, end=end))
+            _band(axes, _middles(end), shares, lane, name)
+        axes.set_ylim(0, 1)
+        axes.set_ylabel("share of\nthe time")
+
+
+@dataclass(frozen=True, kw_only=True)
+class QValues:
+    """The Q-values of the situation in which a role is played."""
+
+    role: str
+    height: float = 2.0
+
+    @property
+    def label(self) -> str:
+        """Label of the y axis."""
+        return f"Q-value, {self.role}"
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws each behavior's value as it changed."""
+        situation = measures.situation_with(trial, self.role)
+        end = _end(trial)
+        for lane, name in enumerate(measures.behaviors(trial)):
+            times, values = measures.q_curve(trial, situation, name)
+            axes.step(
+                np.append(times, end) / MINUTE,
+                np.append(values, values[-1:] if len(values) else np.nan),
+                where="post",
+                color=PALETTE[lane],
+                linestyle=DASHES[lane],
+                label=_spoken([name])[0],
+            )
+        _finish(axes)
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws each behavior's mean value."""
+        situation = measures.situation_with(trials, self.role)
+        grid = np.linspace(0, _end(trials), POINTS)
+
+        def sampled(trial: pl.DataFrame, name: str) -> FloatArray:
+            return _sampled(*measures.q_curve(trial, situation, name), grid)
+
+        for lane, name in enumerate(measures.behaviors(trials)):
+            curves = _per_trial(trials, partial(sampled, name=name))
+            _band(axes, grid, curves, lane, name)
+        _finish(axes)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CumulativeReward:
+    """The sum of all touches so far."""
+
+    label: str = "cumulative\nreward"
+    height: float = 1.7
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws one trial's sum."""
+        times, values = _cumulative(trial)
+        axes.step(times / MINUTE, values, where="post", color=INK)
+        _zero(axes)
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws the mean sum."""
+        self.draw_as(axes, trials, None)
+        _zero(axes)
+
+    def draw_as(self, axes: Axes, trials: pl.DataFrame, lane: int | None) -> None:
+        """Draws the mean sum as one of several conditions."""
+        grid = np.linspace(0, _end(trials), POINTS)
+        curves = _per_trial(trials, lambda t: _sampled(*_cumulative(t), grid))
+        _band(axes, grid, curves, lane, _condition(trials))
+
+
+@dataclass(frozen=True, kw_only=True)
+class TouchFrequency:
+    """How often the robot is caressed (up) or tapped (down)."""
+
+    positive: bool
+    height: float = 1.5
+
+    @property
+    def label(self) -> str:
+        """Label of the y axis."""
+        return f"{'caresses' if self.positive else 'taps'}\nper minute"
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws one trial's counts."""
+        end = _end(trial)
+        axes.step(
+            _middles(end) / MINUTE, self._counts(trial, end), where="mid", color=INK
+        )
+        axes.set_ylim(bottom=0)
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws the mean counts."""
+        self.draw_as(axes, trials, None)
+
+    def draw_as(self, axes: Axes, trials: pl.DataFrame, lane: int | None) -> None:
+        """Draws the mean counts as one of several conditions."""
+        end = _end(trials)
+        counts = _per_trial(trials, lambda t: self._counts(t, end))
+        _band(axes, _middles(end), counts, lane, _condition(trials))
+        axes.set_ylim(bottom=0)
+
+    def _counts(self, trial: pl.DataFrame, end: float) -> FloatArray:
+        felt = measures.touches(trial)
+        signed = felt.filter((pl.col("value") > 0) == pl.lit(self.positive))
+        found, _ = np.histogram(signed["time"].to_numpy(), bins=BINS, range=(0, end))
+        return found / (end / BINS / MINUTE)
+
+
+def _per_trial(
+    trials: pl.DataFrame, curve: Callable[[pl.DataFrame], FloatArray]
+) -> FloatArray:
+    """Returns one curve per seed, shape (n_seeds, n_points)."""
+    parts = trials.sort("seed", maintain_order=True).partition_by("seed")
+    return np.array([curve(part) for part in parts])
+
+
+def _sampled(times: FloatArray, values: FloatArray, grid: FloatArray) -> FloatArray:
+    """Returns a stepwise curve at the points of a grid; NaN before it begins."""
+    index = np.searchsorted(times, grid, side="right") - 1
+    padded = np.append(values, np.nan)
+    return padded[np.where(index < 0, len(values), index)]
+
+
+def _time_share(trial: pl.DataFrame, behavior: str, end: float) -> FloatArray:
+    """Returns the share of each bin of time that a behavior takes, shape (BINS,)."""
+    edges = np.linspace(0, end, BINS + 1)
+    done = trial.filter(pl.col("behavior") == behavior)
+    begun, ended = done["time"].to_numpy(), done["next_time"].to_numpy()
+    before = np.clip(edges[:, None], begun, ended) - begun
+    shares: FloatArray = np.diff(before.sum(axis=1)) / np.diff(edges)
+    return shares
+
+
+def _cumulative(trial: pl.DataFrame) -> tuple[FloatArray, FloatArray]:
+    ordered = trial.sort("next_time")
+    times = np.insert(ordered["next_time"].to_numpy(), 0, 0.0)
+    return times, np.insert(ordered["reward"].to_numpy().cumsum(), 0, 0.0)
+
+
+def _middles(end: float) -> FloatArray:
+    return (np.arange(BINS) + 0.5) * end / BINS
+
+
+def _end(table: pl.DataFrame) -> float:
+    return float(table["next_time"].to_numpy().max())
+
+
+def _condition(trials: pl.DataFrame) -> str:
+    return str(trials["condition"][0]) if "condition" in trials.columns else "mean"
+
+
+def _spoken(names: tuple[str, ...] | list[str]) -> list[str]:
+    return [name.replace("_", " ") for name in names]
+
+
+def _band(
+    axes: Axes, times: FloatArray, curves: FloatArray, lane: int | None, name: str
+) -> None:
+    """Draws the mean of some curves with its interval."""
+    center, low, high = mean_band(curves)
+    color = INK if lane is None else PALETTE[lane]
+    style = "solid" if lane is None else DASHES[lane]
+    axes.plot(
+        times / MINUTE, center, color=color, linestyle=style, label=_spoken([name])[0]
+    )
+    axes.fill_between(times / MINUTE, low, high, color=color, alpha=0.18, linewidth=0)
+
+
+def _finish(axes: Axes) -> None:
+    _zero(axes)
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 0.97), ncols=4, borderaxespad=0.1)
+
+
+def _zero(axes: Axes) -> None:
+    axes.axhline(0, color=INK, linewidth=0.8)

@@ -1,0 +1,28 @@
+"""The paper's experiments, by number. A new experiment is one module and one line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from experiments.errors import unknown
+from experiments.paper import e1
+from experiments.paper.experiment import Experiment, PaperFigure, comparison
+
+EXPERIMENTS: Mapping[int, Experiment] = {
+    module.EXPERIMENT.number: module.EXPERIMENT for module in (e1,)
+}
+"""Every experiment that can be reproduced."""
+
+__all__ = ["EXPERIMENTS", "Experiment", "PaperFigure", "comparison", "select"]
+
+
+def select(numbers: Sequence[int]) -> tuple[Experiment, ...]:
+    """Returns experiments by number, in the paper's order; all if none is named.
+
+    Raises:
+        ExperimentError: If there is no experiment of that number.
+    """
+    for number in numbers:
+        if number not in EXPERIMENTS:
+            raise unknown("experiment", number, EXPERIMENTS)
+    return tuple(EXPERIMENTS[number] for number in sorted(set(numbers) or EXPERIMENTS))
