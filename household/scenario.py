@@ -23,13 +23,20 @@ class ScriptStep(Record, frozen=True, kw_only=True):
         place: Name of an activity region, or an activity (its first region).
         duration: Shortest and longest time spent there, drawn anew each time [s];
             it counts from arrival, and stands still while the person is away to
-            give feedback.
-        look_at: Name of a robot or a person to attend to; None: the own activity.
+            give feedback. Either this or ``until``.
+        until: When the line ends, in time since the episode began [s].
+        look_at: Name of a robot or a person to attend to; None: gaze habits.
+        look_for: Shortest and longest time of looking there at a stretch [s]; None:
+            all the time.
+        look_away: Shortest and longest time of not looking there, in between [s].
     """
 
     place: str
-    duration: Range
+    duration: Range | None = None
+    until: Positive | None = None
     look_at: str | None = None
+    look_for: Range | None = None
+    look_away: Range = (10.0, 30.0)
 
 
 class PersonSpec(Record, frozen=True, kw_only=True):

@@ -103,8 +103,12 @@ def _script(scenario: Scenario, person: PersonSpec, path: str) -> Iterator[str]:
             yield f"{here}.place: {choose_from(step.place, places, 'place')}"
         if step.look_at is not None and step.look_at not in others:
             yield f"{here}.look_at: {choose_from(step.look_at, others, 'entity')}"
-        if step.duration[0] > step.duration[1]:
-            yield f"{here}.duration: the shortest time comes first, then the longest"
+        if (step.duration is None) == (step.until is None):
+            yield f"{here}: needs either duration or until"
+        for field in ("duration", "look_for", "look_away"):
+            times = getattr(step, field)
+            if times is not None and times[0] > times[1]:
+                yield f"{here}.{field}: the shortest time comes first, then the longest"
 
 
 def _places(scenario: Scenario) -> Iterator[str]:

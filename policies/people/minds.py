@@ -1,5 +1,6 @@
 """Minds: what makes a simulated person act, put together from its habits."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,6 +13,8 @@ from household.scenario import PersonSpec, Scenario
 from policies.people.gaze import GazeHabits
 from policies.people.giving import FeedbackGiving
 from policies.people.script import Line, Script
+
+FOREVER = (math.inf, math.inf)
 
 
 class ScriptedMind(Mind):
@@ -45,25 +48,24 @@ class ScriptedMind(Mind):
             self._persona, self._myself, self._n_people, self._n_robots, looking
         )
         self._giving = FeedbackGiving(self._persona, self._n_robots, giving)
-        line = self._script.line
-        return Intention(place=line.place, look=line.look)
+        return Intention(place=self._script.line.place, look=self._script.look)
 
     def decide(self, percept: Percept) -> Intention:
         """Goes on with the script, unless there is a robot to caress or to tap."""
         habit = self._gaze.look(percept)
         self._giving.consider(percept)
         wish = self._giving.wish
-        line = self._script.line
+        there = percept.place == self._script.line.place and not percept.walking
+        self._script.play(percept.time, percept.period, there=there and wish is None)
+        place, look = self._script.line.place, self._script.look
         if wish is not None:
-            return Intention(
-                place=line.place, look=self._n_people + wish.robot, wish=wish
-            )
-        if percept.place == line.place and not percept.walking:
-            self._script.play(percept.period)
-            line = self._script.line
-        asleep = percept.activity is Activity.SLEEPING and percept.place == line.place
-        look = habit if line.look == OWN_ACTIVITY else line.look
-        return Intention(place=line.place, look=look, eyes_open=not asleep)
+            return Intention(place=place, look=self._n_people + wish.robot, wish=wish)
+        asleep = percept.activity is Activity.SLEEPING and percept.place == place
+        return Intention(
+            place=place,
+            look=habit if look == OWN_ACTIVITY else look,
+            eyes_open=not asleep,
+        )
 
 
 def make_minds(scenario: Scenario) -> list[Mind]:
@@ -84,8 +86,11 @@ def _lines(spec: PersonSpec, places: Places, names: tuple[str, ...]) -> list[Lin
     return [
         Line(
             place=places.index(step.place),
+            duration=step.duration or FOREVER,
+            until=step.until or math.inf,
             look=OWN_ACTIVITY if step.look_at is None else names.index(step.look_at),
-            duration=step.duration,
+            look_for=step.look_for or FOREVER,
+            look_away=step.look_away,
         )
         for step in spec.script
     ]

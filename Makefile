@@ -1,0 +1,38 @@
+# Two commands for everyone: `make reproduce` and `make test`. Both set up .venv.
+PYTHON ?= python3
+SEEDS ?= 30
+OUT ?= runs/paper
+BIN := .venv/bin
+
+.PHONY: reproduce test lint slow clean
+
+reproduce: .venv/installed
+	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
+
+test: .venv/developing
+	$(BIN)/pytest
+
+slow: .venv/developing
+	$(BIN)/pytest -m slow
+
+lint: .venv/developing
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/codespell
+
+.venv/bin/python:
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "needs Python 3.11 or newer: make PYTHON=python3.11")'
+	$(PYTHON) -m venv .venv
+
+.venv/installed: pyproject.toml | .venv/bin/python
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
+	touch $@
+
+.venv/developing: pyproject.toml | .venv/bin/python
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@ .venv/installed
+
+clean:
+	rm -rf .venv build dist
