@@ -15,7 +15,7 @@ import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import FunctionType
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -27,12 +27,7 @@ ATTACHED: Mapping[str, bool] = {"attached": True}
 DERIVED: Mapping[str, bool] = {"derived": True}
 
 
-class _Named(Protocol):
-    __name__: str
-    __module__: str
-
-
-_T = TypeVar("_T", bound=_Named)
+_T = TypeVar("_T", bound=Callable[..., Any])  # a class or a function
 _registry: dict[str, Any] = {}
 
 
