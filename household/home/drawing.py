@@ -3,6 +3,7 @@
 Matplotlib is imported where it is used: a simulation draws nothing.
 """
 
+import textwrap
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -135,13 +136,17 @@ def _draw_furniture(box: Furniture, axes: "Axes") -> None:
     axes.add_patch(Polygon(box.corners, fc=color, ec="#8c7a5c", lw=0.5, zorder=1))
     turn = 90 if box.size[1] > 1.3 * box.size[0] else 0
     along, across = box.size[::-1] if turn else box.size
-    text: dict[str, Any] = {"rotation": box.angle + turn, "color": "#5f5138"}
-    for name in (box.name, box.name.replace(" ", "\n")):
-        lines = name.split("\n")
-        if max(map(len, lines)) * LETTER < along and len(lines) * LINE < across:
-            text |= {"ha": "center", "va": "center", "zorder": 5, "fontsize": 4.5}
-            axes.text(*box.center, name, **text)
-            return
+    name = _wrapped(box.name, along)
+    lines = name.split("\n")
+    if max(map(len, lines)) * LETTER < along and len(lines) * LINE < across:
+        text: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 5}
+        text |= {"fontsize": 4.5, "color": "#5f5138", "rotation": box.angle + turn}
+        axes.text(*box.center, name, **text)
+
+
+def _wrapped(name: str, width: float) -> str:
+    """A name in as many lines as it needs to keep to a width [m]."""
+    return textwrap.fill(name, max(int(width / LETTER), 1), break_long_words=False)
 
 
 def _draw_region(region: Region, axes: "Axes") -> None:
@@ -161,7 +166,8 @@ def _draw_region(region: Region, axes: "Axes") -> None:
     text: dict[str, Any] = {"ha": "center", "color": color, "zorder": 6}
     axes.text(x, y + 0.02, region.activity, va="bottom", fontsize=6.0, **text)
     if region.name != region.activity:
-        axes.text(x, y - 0.04, region.name, va="top", fontsize=4.8, **text)
+        name = _wrapped(region.name, 1.9 * region.radius)
+        axes.text(x, y - 0.04, name, va="top", fontsize=4.8, **text)
 
 
 def _draw_door(door: Door, thickness: float, axes: "Axes") -> None:
