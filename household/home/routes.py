@@ -5,7 +5,7 @@ is a grid; shortest paths on it come from SciPy's Dijkstra and are pulled straig
 wherever the straight line is free.
 """
 
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,16 +40,19 @@ class Routes:
 
     def _clear_of(self, plan: FloorPlan) -> NDArray[np.bool_]:
         """Marks the cells whose center clears walls and furniture."""
-        centers = self._centers()
-        gap = distance_to_segments(centers, plan.wall_segments)
-        free = gap.min(axis=1) > plan.wall_thickness / 2 + CLEARANCE
+        centers = self.centers()
+        # One wall at a time: a large home has too many cells to hold them all.
+        gaps = (distance_to_segments(centers, w[None]) for w in plan.wall_segments)
+        gap = reduce(np.minimum, gaps)[:, 0]
+        free = gap > plan.wall_thickness / 2 + CLEARANCE
         for box in plan.furniture:
             free &= distance_to_box(centers, box.center, box.size, box.angle) > (
                 CLEARANCE
             )
         return free.reshape(self._shape)
 
-    def _centers(self) -> Array:
+    def centers(self) -> Array:
+        """Middles of all cells [m], shape (n_cells, 2), in the order of ``free``."""
         grid = np.indices(self._shape).reshape(2, -1).T
         return self._origin + (grid + 0.5) * CELL
 
