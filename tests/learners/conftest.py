@@ -43,7 +43,7 @@ class ToyState:
         )
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def toy():
     """toy("ann reads, bob calls", "bob robot"): a ToyState written as a sentence."""
 
@@ -56,7 +56,7 @@ def toy():
     return make
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def touch():
     def make(value=1.0, time=0.0, giver="ann", attending=True, **more):
         return Feedback(
@@ -66,7 +66,7 @@ def touch():
     return make
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def entry():
     """entry(state, action, time, ...): one second long and followed by itself."""
 

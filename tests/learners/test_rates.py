@@ -66,9 +66,7 @@ def test_a_spread_of_zero_switches_its_factor_off(switched_off, one, other):
 @pytest.mark.parametrize("factors", [TOUCH, AVERTED, WATCHED, NOTHING])
 def test_the_social_rate_falls_with_time_under_all_factors(factors):
     rates = [SocialRate()(0, visits, factors) for visits in range(20)]
-    assert all(
-        later < earlier for earlier, later in itertools.pairwise(rates)
-    )
+    assert all(later < earlier for earlier, later in itertools.pairwise(rates))
 
 
 @pytest.mark.parametrize(
