@@ -24,7 +24,22 @@ ARRIVED = 0.05
 """Distance at which a walk ends [m]."""
 
 STUCK = 2.0
-"""Time without progress after which a walker plans its way anew [s]."""
+"""Time without progress after which a walker tries another way [s]."""
+
+DRIFT = 0.3
+"""How far a body lets itself be pushed before it steps back to its place [m]."""
+
+CROWDED = 1.0
+"""Where others stand in its place, a walker settles for this near to it [m]."""
+
+SIDESTEP = 0.7
+"""How far a walker that is stuck steps aside before it goes on [m]."""
+
+NECK = math.pi / 2
+"""How far a head turns from the body [rad]."""
+
+GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
+"""Between the directions of sidesteps, so that repeated ones try all sides [rad]."""
 
 
 class Crowd:
@@ -64,6 +79,8 @@ class Crowd:
         self._waypoint = np.zeros((n, 2))
         self._pace = np.zeros(n)
         self._stalled = np.zeros(n)
+        self._sidesteps = 0
+        self._settled: list[tuple[float, float] | None] = [None] * n
         self._moving = False
         self.position = np.zeros((n, 2))
         self.heading = np.zeros(n)
@@ -78,7 +95,9 @@ class Crowd:
         self.gaze = heading.copy()
         self._pace[:] = 0.0
         self._stalled[:] = 0.0
+        self._sidesteps = 0
         self._ways = [[] for _ in self._ways]
+        self._settled = [None] * len(self._ways)
         self.walk_began[:] = np.nan
         self._moving = False
 
@@ -86,9 +105,19 @@ class Crowd:
         """Whether a body is on its way somewhere."""
         return bool(self._pace[i] > 0.0)
 
-    def goal(self, i: int) -> tuple[float, float] | None:
-        """Where a body's walk will end [m]; None if it stands."""
-        return self._ways[i][-1] if self.walks(i) else None
+    def is_bound_for(self, i: int, goal: tuple[float, float]) -> bool:
+        """Whether a body is at a point, on its way there, or as near as others let it.
+
+        Args:
+            i: Index of the body.
+            goal: [m].
+        """
+        if self.walks(i):
+            return math.dist(self._ways[i][-1], goal) <= DRIFT
+        away = math.dist(self.position[i], goal)
+        settled = self._settled[i]
+        crowded = settled is not None and math.dist(settled, goal) <= DRIFT
+        return away <= (CROWDED if crowded else DRIFT)
 
     def send(self, i: int, goal: tuple[float, float], now: float) -> bool:
         """Sends a body on a walk.
@@ -111,6 +140,7 @@ class Crowd:
         self._waypoint[i] = way[0]
         self._pace[i] = self._speed[i]
         self._stalled[i] = 0.0
+        self._settled[i] = None
         return True
 
     def halt(self, i: int) -> None:
@@ -139,22 +169,37 @@ class Crowd:
         way = self._ways[i]
         left = math.dist(self.position[i], way[0])
         if left <= (PASSED if len(way) > 1 else ARRIVED):
-            way.pop(0)
-            if not way:
-                self.halt(i)
-                return
-            self._waypoint[i] = way[0]
+            self._pass_waypoint(i)
             return
         gained = math.dist(before, way[0]) - left
         slow = gained < 0.1 * self._speed[i] * self._period
         self._stalled[i] = self._stalled[i] + self._period if slow else 0.0
         if self._stalled[i] >= STUCK:
-            self._replan(i)
+            self._try_another_way(i)
 
-    def _replan(self, i: int) -> None:
-        """Plans the rest of a walk anew from where the body was pushed to."""
+    def _pass_waypoint(self, i: int) -> None:
+        way = self._ways[i]
+        way.pop(0)
+        if way:
+            self._waypoint[i] = way[0]
+        else:
+            self.halt(i)
+
+    def _try_another_way(self, i: int) -> None:
+        """Settles for a place near the goal, or steps aside and plans anew."""
         self._stalled[i] = 0.0
-        way = self._routes.plan(self.position[i], np.array(self._ways[i][-1]))
+        goal = self._ways[i][-1]
+        if math.dist(self.position[i], goal) <= CROWDED:
+            self.halt(i)
+            self._settled[i] = goal
+            return
+        self._sidesteps += 1
+        angle = self._sidesteps * GOLDEN_ANGLE
+        aside = self.position[i] + SIDESTEP * np.array(
+            [math.cos(angle), math.sin(angle)]
+        )
+        way = self._routes.plan(self.position[i], aside)
+        way += self._routes.plan(np.array(way[-1]), np.array(goal)) if way else []
         if way:
             self._ways[i] = way
             self._waypoint[i] = way[0]
@@ -166,5 +211,13 @@ class Crowd:
             target: Wanted directions, shape (n,) [rad].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        turn = (target - self.gaze + np.pi) % (2 * np.pi) - np.pi
+        turn = _wrapped(target - self.gaze)
         self.gaze = self.gaze + np.clip(turn, -most, most)
+        # The body follows where the neck does not reach.
+        strain = _wrapped(self.gaze - self.heading)
+        self.heading = self.heading + strain - np.clip(strain, -NECK, NECK)
+
+
+def _wrapped(angle: Array) -> Array:
+    """An angle in [-pi, pi) [rad]."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi

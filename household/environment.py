@@ -22,6 +22,7 @@ from household.people.people import MakeMinds, People
 from household.perception.senses import Senses
 from household.perception.situation import Situation
 from household.robots.behavior import Bout
+from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import Scenario
 from household.scenario_check import load_scenario
@@ -122,6 +123,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             [p.head_speed for p in personas] + [360.0] * n_robots
         )
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
+        self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         self._moments = round(scenario.decision_period / scenario.steering_period)
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
@@ -186,6 +188,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         if not self.agents:
             return {}, {}, {}, {}, {}
         self._choose(actions)
+        self._move_robots()
         self._live()
         self.decision += 1
         self._look_around(self._head_turn * self.scenario.decision_period)
@@ -212,6 +215,23 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
                 self.robots.choose(
                     self._index[agent], behavior, self.decision, self.time
                 )
+
+    def _move_robots(self) -> None:
+        """Robots move as their behaviors have it."""
+        n_people = len(self.people.everyone)
+        for robot, bout in enumerate(self.robots.bouts):
+            if bout.behavior < 0:
+                continue
+            mover = Mover(
+                body=n_people + robot,
+                n_people=n_people,
+                begins=bout.decision == self.decision,
+                spots=self.people.places.centers,
+                rng=self._streams.robots[robot],
+                now=self.time,
+                period=self.scenario.decision_period,
+            )
+            self._motions[bout.behavior](mover, self.crowd)
 
     def _live(self) -> None:
         """People walk where they intended to and touch robots that they reach."""

@@ -8,6 +8,7 @@ import msgspec
 from household.home.floorplan import FloorPlan, load_floorplan
 from household.people.norms import Norms, household_norms
 from household.people.persona import Persona, load_persona
+from household.people.population import Population, individual
 from household.records import Point, Record, convert, locate, read_toml
 from household.robots.behavior import Behavior, catalogue
 
@@ -39,20 +40,38 @@ class ScriptStep(Record, frozen=True, kw_only=True):
     look_away: Range = (10.0, 30.0)
 
 
+class Stay(Record, frozen=True, kw_only=True):
+    """One place of a person's schedule (a semi-Markov chain).
+
+    Attributes:
+        duration: Shortest and longest time spent there, from arrival [s].
+        then: Weight of each place to go to afterwards; a place or an activity.
+    """
+
+    duration: Range
+    then: Annotated[
+        dict[str, Annotated[float, msgspec.Meta(ge=0)]], msgspec.Meta(min_length=1)
+    ]
+
+
 class PersonSpec(Record, frozen=True, kw_only=True):
     """A person of the household.
 
     Attributes:
         name: Unique in the scenario.
         persona: Name of a shipped persona, a TOML path, or the record itself.
-        start: Where the person begins [m]; None: in the script's first place.
-        script: What the person does, over and over.
+        start: Where the person begins [m]; None: in its first place.
+        script: What the person does, line by line, over and over.
+        schedule: What the person does by chance, by place; begins with the first.
+            Without a script or a schedule, the one that is shipped is followed,
+            as far as the home has places for it.
     """
 
     name: Annotated[str, msgspec.Meta(pattern="^[a-z][a-z0-9_]*$")]
-    persona: str | Persona = "paper_actor"
+    persona: str | Persona = "easygoing"
     start: Point | None = None
-    script: Annotated[tuple[ScriptStep, ...], msgspec.Meta(min_length=1)]
+    script: tuple[ScriptStep, ...] = ()
+    schedule: dict[str, Stay] = msgspec.field(default_factory=dict)
 
 
 class RobotSpec(Record, frozen=True, kw_only=True):
@@ -123,6 +142,9 @@ class Scenario(Record, frozen=True, kw_only=True):
         behaviors: What the robots can choose, in the order of their actions.
         behavior: The user's own behaviors, by name.
         norms: What the household finds polite; None: the norms that are shipped.
+        heterogeneity: How far people depart from the norms and from each other: 0
+            makes roles interchangeable, 1 gives everybody a taste of its own.
+        population: Draws in what people depart from the norms.
     """
 
     name: str
@@ -137,6 +159,8 @@ class Scenario(Record, frozen=True, kw_only=True):
     people: Annotated[tuple[PersonSpec, ...], msgspec.Meta(min_length=1, max_length=64)]
     robots: Annotated[tuple[RobotSpec, ...], msgspec.Meta(min_length=1, max_length=16)]
     norms: Norms | None = None
+    heterogeneity: Share = 0.0
+    population: Population = Population()
     situation: SituationModel = SituationModel()
     perception: PerceptionModel = PerceptionModel()
     slots: Slots = Slots()
@@ -149,10 +173,10 @@ class Scenario(Record, frozen=True, kw_only=True):
 
     @property
     def personas(self) -> tuple[Persona, ...]:
-        """Each person's persona, in order."""
+        """Each person's persona with its individual traits, in order."""
         return tuple(
-            p.persona if isinstance(p.persona, Persona) else load_persona(p.persona)
-            for p in self.people
+            individual(_persona(spec), self.population, self.heterogeneity, index)
+            for index, spec in enumerate(self.people)
         )
 
     @property
@@ -175,6 +199,12 @@ class Scenario(Record, frozen=True, kw_only=True):
     def household_norms(self) -> Norms:
         """The norms that hold in this household."""
         return household_norms() if self.norms is None else self.norms
+
+
+def _persona(spec: PersonSpec) -> Persona:
+    """The persona that a person is made after."""
+    named = spec.persona
+    return named if isinstance(named, Persona) else load_persona(named)
 
 
 def read_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:

@@ -12,7 +12,7 @@ from household.home.routes import routes_of
 from household.people.norms import Norms
 from household.records import Point
 from household.robots.behavior import catalogue
-from household.scenario import PersonSpec, Scenario, read_scenario
+from household.scenario import PersonSpec, Scenario, ScriptStep, read_scenario
 
 
 def load_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:
@@ -45,7 +45,7 @@ def problems(scenario: Scenario) -> Iterator[str]:
     yield from _names(scenario)
     yield from _slots(scenario)
     for index, person in enumerate(scenario.people):
-        yield from _script(scenario, person, f"people[{index}]")
+        yield from _doings(scenario, person, f"people[{index}]")
     yield from _places(scenario)
 
 
@@ -93,22 +93,44 @@ def _slots(scenario: Scenario) -> Iterator[str]:
             yield f"slots.{kind}: must be at least {len(has)}, one for each"
 
 
-def _script(scenario: Scenario, person: PersonSpec, path: str) -> Iterator[str]:
+def _doings(scenario: Scenario, person: PersonSpec, path: str) -> Iterator[str]:
+    """Scripts and schedules lead only to places that the home has."""
     regions = scenario.plan.regions
     places = {r.name for r in regions} | {r.activity for r in regions}
-    others = {*scenario.robot_names, *scenario.person_names} - {person.name}
+    if person.script and person.schedule:
+        yield f"{path}: has a script and a schedule; allowed: one of them"
     for index, step in enumerate(person.script):
-        here = f"{path}.script[{index}]"
-        if step.place not in places:
-            yield f"{here}.place: {choose_from(step.place, places, 'place')}"
-        if step.look_at is not None and step.look_at not in others:
-            yield f"{here}.look_at: {choose_from(step.look_at, others, 'entity')}"
-        if (step.duration is None) == (step.until is None):
-            yield f"{here}: needs either duration or until"
-        for field in ("duration", "look_for", "look_away"):
-            times = getattr(step, field)
-            if times is not None and times[0] > times[1]:
-                yield f"{here}.{field}: the shortest time comes first, then the longest"
+        others = {*scenario.robot_names, *scenario.person_names} - {person.name}
+        yield from _script_step(step, places, others, f"{path}.script[{index}]")
+    for place, stay in person.schedule.items():
+        here = f"{path}.schedule.{place}"
+        if place not in places:
+            yield f"{here}: {choose_from(place, places, 'place')}"
+        for following in stay.then:
+            if following not in person.schedule:
+                problem = choose_from(following, person.schedule, "place")
+                yield f"{here}.then: {problem}"
+        if not any(stay.then.values()):
+            yield f"{here}.then: at least one weight must be above 0"
+        yield from _times(stay.duration, f"{here}.duration")
+
+
+def _script_step(
+    step: ScriptStep, places: set[str], others: set[str], here: str
+) -> Iterator[str]:
+    if step.place not in places:
+        yield f"{here}.place: {choose_from(step.place, places, 'place')}"
+    if step.look_at is not None and step.look_at not in others:
+        yield f"{here}.look_at: {choose_from(step.look_at, others, 'entity')}"
+    if (step.duration is None) == (step.until is None):
+        yield f"{here}: needs either duration or until"
+    for field in ("duration", "look_for", "look_away"):
+        yield from _times(getattr(step, field), f"{here}.{field}")
+
+
+def _times(times: tuple[float, float] | None, path: str) -> Iterator[str]:
+    if times is not None and times[0] > times[1]:
+        yield f"{path}: the shortest time comes first, then the longest"
 
 
 def _places(scenario: Scenario) -> Iterator[str]:

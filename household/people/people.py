@@ -13,15 +13,13 @@ from household.people.mind import OWN_ACTIVITY, Mind, Percept, Wish
 from household.people.norms import norm_table
 from household.people.person import Person
 from household.people.places import Places
+from household.people.population import preferences
 from household.perception.senses import Senses
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
 Array = NDArray[np.float64]
 MakeMinds = Callable[[Scenario], Sequence[Mind]]
-
-DRIFT = 0.3
-"""How far someone lets itself be pushed before it steps back to its spot [m]."""
 
 
 REACH = 0.8
@@ -118,8 +116,7 @@ class People:
         found: list[list[Judgement]] = [[] for _ in range(n)]
         attends = senses.attends[:n, n:]
         strength = np.maximum(
-            seen_strength(senses.attention[:n, n:]),
-            heard_strength(senses.level[:n, n:]),
+            seen_strength(senses.attention[:n, n:]), heard_strength(self._heard(senses))
         )
         doing = robots.behaviors
         value = (
@@ -140,6 +137,13 @@ class People:
             person.live_through(judgement)
             found[i].append(judgement)
         return found
+
+    def _heard(self, senses: Senses) -> Array:
+        """Level of each robot at each ear [dB]; sleepers hear what wakes them."""
+        n = len(self.everyone)
+        deaf_below = np.array([p.hears_from for p in self.everyone])[:, None]
+        level = senses.level[:n, n:]
+        return np.where(level >= deaf_below, level, 0.0)
 
     def decide(
         self,
@@ -199,8 +203,7 @@ class People:
             goal = (float(x), float(y))
         else:
             goal = self.places.claim(i, intention.place)
-        heading_for = crowd.goal(i) or tuple(crowd.position[i])
-        if math.dist(heading_for, goal) > DRIFT:
+        if not crowd.is_bound_for(i, goal):
             crowd.send(i, goal, now)
 
     def gaze_targets(self, crowd: Crowd) -> Array:
@@ -220,11 +223,15 @@ class People:
 
 
 def _preferences(scenario: Scenario, index: int) -> Array:
-    """What a person finds polite: the household's norms, and where it departs."""
-    behaviors = scenario.behaviors
-    table = norm_table(scenario.household_norms, behaviors)
-    own = norm_table(scenario.personas[index].preferences, behaviors, np.nan)
-    return np.where(np.isnan(own), table, own)
+    """What a person of the scenario finds polite."""
+    return preferences(
+        norm_table(scenario.household_norms, scenario.behaviors),
+        scenario.personas[index],
+        scenario.behaviors,
+        scenario.population,
+        scenario.heterogeneity,
+        index,
+    )
 
 
 def _believed(senses: Senses, n: int, person: int, robot: int) -> int:

@@ -78,3 +78,8 @@ class Person:
         if not self.intention.eyes_open:
             return -1.0
         return math.radians(self.persona.field_of_view) / 2
+
+    @property
+    def hears_from(self) -> float:
+        """Level from which it hears at all [dB]: asleep, what wakes it."""
+        return 0.0 if self.intention.eyes_open else self.persona.wakes_at

@@ -47,8 +47,11 @@ class Persona(Record, frozen=True, kw_only=True):
         people_interest: Chance to look at a person whenever the gaze moves on.
         gaze_dwell: Mean time that the gaze rests on one thing [s].
         reflex: Chance that a loud robot draws the eye.
-        preferences: Where its taste departs from the household's norms; replaces
-            the values that it names.
+        wakes_at: Level at the ear that wakes it [dB]; 45 for a light sleeper, 60
+            for a sound one.
+        awake_for: How long it lies awake then [s].
+        preferences: What it finds polite, where that departs from the household's
+            norms; tells as far as the scenario's heterogeneity lets it.
     """
 
     name: str
@@ -73,6 +76,8 @@ class Persona(Record, frozen=True, kw_only=True):
     people_interest: Share = 0.2
     gaze_dwell: Positive = 4.0
     reflex: Share = 0.3
+    wakes_at: Positive = 55.0
+    awake_for: Positive = 20.0
     preferences: Norms = msgspec.field(default_factory=dict)
 
 

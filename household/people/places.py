@@ -38,6 +38,11 @@ class Places:
         ]
         self._claims: dict[int, tuple[int, int]] = {}
 
+    @property
+    def centers(self) -> NDArray[np.float64]:
+        """Middles of the regions, shape (n_regions, 2) [m]."""
+        return self._circles[:, :2]
+
     def clear(self) -> None:
         """Begins a new episode: nobody has claimed a spot."""
         self._claims.clear()
@@ -47,6 +52,16 @@ class Places:
         names = [region.name for region in self.regions]
         activities: list[str] = [region.activity for region in self.regions]
         return names.index(name) if name in names else activities.index(name)
+
+    def own(self, name: str, person: int) -> int:
+        """The region with this name, else one person's own with this activity.
+
+        Where a home has several, such as bedrooms, people share them out in order.
+        """
+        same = [i for i, region in enumerate(self.regions) if region.activity == name]
+        if any(region.name == name for region in self.regions) or not same:
+            return self.index(name)
+        return same[person % len(same)]
 
     def claim(self, person: int, region: int) -> Point:
         """The spot of a region where a person goes: its own, else the first free.

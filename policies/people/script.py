@@ -61,6 +61,11 @@ class Script:
         return self._lines[self._index]
 
     @property
+    def place(self) -> int:
+        """Index of the activity region to be in."""
+        return self.line.place
+
+    @property
     def look(self) -> int:
         """Index of the entity that the script says to look at, or `OWN_ACTIVITY`."""
         return self.line.look if self._looks else OWN_ACTIVITY

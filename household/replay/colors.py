@@ -1,0 +1,62 @@
+"""Colors of replays and renderings; told apart by the color-blind."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.activity import Activity
+from household.home.drawing import ACTIVITY_COLORS
+
+Bytes = NDArray[np.uint8]
+
+BEHAVIORS = (
+    "#e69f00",
+    "#56b4e9",
+    "#cc79a7",
+    "#f0e442",
+    "#00b28a",
+    "#d55e00",
+    "#0072b2",
+    "#9a9a9a",
+)
+"""Of a robot's behaviors, in the order of its actions, over and over; after Okabe
+and Ito."""
+
+CARESS, TAP = "#1a9850", "#d73027"
+BELIEVED, TRUE = "#ffb000", "#3ddc84"
+"""Of the line from a touch to what a learner believes that it is about, and to what
+it is really about."""
+
+IDLE = "#777777"
+
+
+def rgb(color: str) -> tuple[int, int, int]:
+    """Red, green and blue of a color such as "#0072b2", each 0 to 255."""
+    value = int(color.removeprefix("#"), 16)
+    return value >> 16, value >> 8 & 255, value & 255
+
+
+def behavior_color(behavior: int) -> str:
+    """The color of a behavior; -1 is none."""
+    return IDLE if behavior < 0 else BEHAVIORS[behavior % len(BEHAVIORS)]
+
+
+def packed(colors: list[str], alpha: int = 255) -> NDArray[np.uint32]:
+    """Colors as Rerun packs them, 0xRRGGBBAA."""
+    return np.array(
+        [int(c.removeprefix("#"), 16) << 8 | alpha for c in colors], dtype=np.uint32
+    )
+
+
+ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
+
+
+def heat(values: NDArray[np.float64]) -> Bytes:
+    """Shares in [0, 1] as colors from dark over red to light yellow.
+
+    Returns:
+        The same shape with three more for red, green and blue.
+    """
+    stops = np.array([[22, 20, 40], [120, 28, 109], [229, 92, 48], [252, 255, 164]])
+    return np.stack(
+        [np.interp(values, (0.0, 0.33, 0.66, 1.0), stops[:, c]) for c in range(3)], -1
+    ).astype(np.uint8)

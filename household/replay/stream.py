@@ -1,0 +1,155 @@
+"""Streams: the seam to Rerun, through which whole columns go to a file or a viewer.
+
+Rerun changes between minor versions; what is learned about its traps is used here
+and in the modules beside this one, and nowhere else.
+"""
+
+import tempfile
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import rerun as rr
+
+ARCHETYPE = "household.State"
+"""Under which exact columns are stored, beside Rerun's own kinds of data."""
+
+
+class Stream:
+    """One recording.
+
+    Args:
+        kind: Recordings of the same kind share their layout in the viewer.
+        name: Shown as the recording's name.
+        path: File to write; None: none.
+        watch: Shows the recording in a viewer, which is opened if none is.
+    """
+
+    def __init__(
+        self, kind: str, name: str, path: Path | None, watch: bool = False
+    ) -> None:
+        import rerun as rr
+
+        self.kind = kind
+        self._recording: rr.RecordingStream | None = rr.RecordingStream(
+            kind, send_properties=False
+        )
+        if watch:
+            _open_viewer()
+        sinks: list[Any] = [rr.GrpcSink()] if watch else []
+        if path is not None:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            sinks.append(rr.FileSink(path))
+        self.recording.set_sinks(*sinks)
+        rr.set_log_time_enabled(False, recording=self.recording)
+        self.recording.send_recording_name(name)
+
+    @property
+    def recording(self) -> "rr.RecordingStream":
+        """Rerun's own stream."""
+        if self._recording is None:
+            raise ValueError("the recording is closed")
+        return self._recording
+
+    def lay_out(self, blueprint: Any) -> None:  # noqa: ANN401 - Rerun's blueprint
+        """Puts a layout into the recording.
+
+        Through a file, as Rerun's own call leaves two threads behind at each episode.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "layout.rbl"
+            blueprint.save(self.kind, str(path))
+            self.recording.log_file_from_path(path)
+            self.recording.flush()
+
+    def describe(self, **properties: str | int | float) -> None:
+        """Writes properties of the recording."""
+        import rerun as rr
+
+        self.recording.send_property("household", rr.AnyValues(**properties))
+
+    def fix(self, entity: str, *parts: Any) -> None:  # noqa: ANN401 - archetypes
+        """Writes what does not change."""
+        self.recording.log(entity, *parts, static=True)
+
+    def send(
+        self,
+        entity: str,
+        moments: tuple[NDArray[np.int64], NDArray[np.float64]],
+        columns: Iterable["rr.ComponentColumn"],
+    ) -> None:
+        """Writes columns.
+
+        Args:
+            entity: Path of the entity.
+            moments: Decisions and times [s] of the rows.
+            columns: One value, or one group of values, for each moment.
+        """
+        import rerun as rr
+
+        decision, time = moments
+        if len(decision):
+            nanoseconds = np.round(time * 1e9).astype("timedelta64[ns]")
+            indexes = [
+                rr.TimeColumn("decision", sequence=decision),
+                rr.TimeColumn("seconds", duration=nanoseconds),
+            ]
+            self.recording.send_columns(entity, indexes, list(columns))
+
+    def flush(self) -> None:
+        """Makes sure that all that was sent has arrived."""
+        self.recording.flush()
+
+    def close(self) -> None:
+        """Ends the recording and frees what it holds; the file is whole then."""
+        import rerun as rr
+
+        if self._recording is not None:
+            self._recording.flush()
+            self._recording.disconnect()
+            self._recording = None
+            # Each closed stream would otherwise keep two threads for good.
+            rr.bindings.flush_and_cleanup_orphaned_recordings()
+
+
+def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
+    """A column that is stored as it is; Rerun rounds drawn positions to 32 bits.
+
+    Args:
+        name: Of the column.
+        values: Numbers, one row for each moment.
+    """
+    import pyarrow as pa
+    import rerun as rr
+
+    flat = np.ascontiguousarray(values).reshape(len(values), -1)
+    if flat.dtype == np.bool_:
+        flat = flat.view(np.uint8)
+    rows = pa.FixedSizeListArray.from_arrays(pa.array(flat.reshape(-1)), flat.shape[1])
+    return _column(name, rows)
+
+
+def words(name: str, values: Sequence[str]) -> "rr.ComponentColumn":
+    """A column of texts, one for each moment."""
+    import pyarrow as pa
+
+    texts = pa.array(list(values), pa.string())
+    return _column(name, pa.FixedSizeListArray.from_arrays(texts, 1))
+
+
+def _column(name: str, rows: Any) -> "rr.ComponentColumn":  # noqa: ANN401 - Arrow
+    import rerun as rr
+
+    descriptor = rr.ComponentDescriptor(f"State:{name}", archetype=ARCHETYPE)
+    return rr.ComponentColumn(descriptor, rr.AnyBatchValue(descriptor, rows))
+
+
+def _open_viewer() -> None:
+    """Opens a viewer on this machine alone, unless one is open."""
+    import rerun as rr
+
+    rr.spawn(connect=False, hide_welcome_screen=True)

@@ -1,0 +1,113 @@
+"""Motions: where a robot goes while it does a behavior.
+
+Each motion is a function of the robot, the crowd and chance; it may send the robot
+somewhere or turn it. It is called once in each decision period.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from household.crowd import Crowd
+from household.robots.behavior import Motion
+
+COMPANY = 0.9
+"""Distance at which a robot that follows someone stops [m]."""
+
+SPIN = math.radians(90.0)
+"""How far a dancing robot turns in one second [rad]."""
+
+STROLL = 2.0
+"""How far a wandering robot goes at a stretch, at most [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mover:
+    """A robot about to move.
+
+    Attributes:
+        body: Index of its body in the crowd; people come before robots.
+        n_people: How many people there are.
+        begins: Whether the behavior has just been begun.
+        spots: Middles of the activity regions, shape (n_regions, 2) [m].
+        rng: The robot's own random stream.
+        now: [s].
+        period: Until the next call [s].
+    """
+
+    body: int
+    n_people: int
+    begins: bool
+    spots: np.ndarray[tuple[int, int], np.dtype[np.float64]]
+    rng: np.random.Generator
+    now: float
+    period: float
+
+
+def still(mover: Mover, crowd: Crowd) -> None:
+    """Stays where it is."""
+    if mover.begins:
+        crowd.halt(mover.body)
+
+
+def spin(mover: Mover, crowd: Crowd) -> None:
+    """Turns on the spot."""
+    still(mover, crowd)
+    crowd.heading[mover.body] += SPIN * mover.period
+
+
+def wander(mover: Mover, crowd: Crowd) -> None:
+    """Strolls from point to point."""
+    if mover.begins or not crowd.walks(mover.body):
+        angle, reach = (
+            mover.rng.uniform(0.0, 2 * math.pi),
+            mover.rng.uniform(0.5, STROLL),
+        )
+        x, y = crowd.position[mover.body]
+        goal = (x + reach * math.cos(angle), y + reach * math.sin(angle))
+        crowd.send(mover.body, goal, mover.now)
+
+
+def follow(mover: Mover, crowd: Crowd) -> None:
+    """Keeps close to the nearest person."""
+    person = _nearest_person(mover, crowd)
+    x, y = crowd.position[person]
+    if math.dist((x, y), crowd.position[mover.body]) > COMPANY:
+        crowd.send(mover.body, (float(x), float(y)), mover.now)
+    else:
+        crowd.halt(mover.body)
+
+
+def retreat(mover: Mover, crowd: Crowd) -> None:
+    """Goes to the activity region that is farthest from everybody."""
+    if mover.begins:
+        people = crowd.position[: mover.n_people]
+        gaps = np.linalg.norm(mover.spots[:, None] - people, axis=2).min(axis=1)
+        x, y = mover.spots[int(gaps.argmax())]
+        crowd.send(mover.body, (float(x), float(y)), mover.now)
+
+
+def fetch(mover: Mover, crowd: Crowd) -> None:
+    """Goes to some activity region, then to the nearest person."""
+    if mover.begins:
+        x, y = mover.spots[int(mover.rng.integers(len(mover.spots)))]
+        crowd.send(mover.body, (float(x), float(y)), mover.now)
+    elif not crowd.walks(mover.body):
+        follow(mover, crowd)
+
+
+def _nearest_person(mover: Mover, crowd: Crowd) -> int:
+    offset = crowd.position[: mover.n_people] - crowd.position[mover.body]
+    return int((offset**2).sum(axis=1).argmin())
+
+
+MOTIONS: dict[Motion, Callable[[Mover, Crowd], None]] = {
+    "still": still,
+    "spin": spin,
+    "wander": wander,
+    "follow": follow,
+    "retreat": retreat,
+    "fetch": fetch,
+}
