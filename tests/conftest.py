@@ -1,0 +1,116 @@
+"""What tests of several packages share: plain rooms, scenarios in them, episodes."""
+
+import msgspec
+import numpy as np
+import pytest
+
+from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
+from household.records import shipped
+from household.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
+
+SHIPPED = tuple(shipped("scenarios"))
+
+
+def pytest_generate_tests(metafunc):
+    """A test that asks for ``shipped_scenario`` runs once for each of them."""
+    if "shipped_scenario" in metafunc.fixturenames:
+        metafunc.parametrize("shipped_scenario", SHIPPED, scope="module")
+
+
+@pytest.fixture(scope="session")
+def room():
+    """Makes a bare room, 8 m x 5 m: a phone at (1, 2.5) and a rug at (7, 1)."""
+
+    def make(
+        walls: tuple[tuple[float, float, float, float], ...] = (),
+        doors: tuple[Door, ...] = (),
+        furniture: tuple[Furniture, ...] = (),
+        regions: tuple[Region, ...] | None = None,
+        size: tuple[float, float] = (8.0, 5.0),
+    ) -> FloorPlan:
+        x, y = size
+        outer = ((0, 0, x, 0), (x, 0, x, y), (x, y, 0, y), (0, y, 0, 0))
+        usual = (
+            Region(
+                name="phone", activity="calling", center=(1.0, 2.5), facing=(0.0, 2.5)
+            ),
+            Region(
+                name="rug", activity="playing", center=(7.0, 1.0), facing=(7.0, 0.0)
+            ),
+        )
+        return FloorPlan(
+            name="bare_room",
+            walls=tuple(
+                Wall(start=(x1, y1), end=(x2, y2))
+                for x1, y1, x2, y2 in (*outer, *walls)
+            ),
+            doors=doors,
+            furniture=furniture,
+            regions=usual if regions is None else regions,
+        )
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def household_of(room):
+    """Makes a scenario: one person on the phone, one robot, bark or sleep."""
+
+    def make(**changes: object) -> Scenario:
+        usual = Scenario(
+            name="test_household",
+            home=room(),
+            max_cycles=60,
+            behaviors=("bark", "sleep"),
+            people=(
+                PersonSpec(
+                    name="ann",
+                    script=(ScriptStep(place="phone", duration=(900.0, 900.0)),),
+                ),
+            ),
+            robots=(RobotSpec(position=(6.0, 2.5)),),
+        )
+        return msgspec.structs.replace(usual, **changes)
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def same():
+    """Whether two nested structures hold the same values, arrays by their bytes."""
+
+    def equal(one: object, other: object) -> bool:
+        if isinstance(one, dict):
+            return (
+                isinstance(other, dict)
+                and list(one) == list(other)
+                and all(equal(one[key], other[key]) for key in one)
+            )
+        if isinstance(one, list | tuple):
+            return (
+                type(one) is type(other)
+                and len(one) == len(other)
+                and all(map(equal, one, other))
+            )
+        if isinstance(one, np.ndarray):
+            return (
+                isinstance(other, np.ndarray)
+                and (one.dtype, one.shape) == (other.dtype, other.shape)
+                and one.tobytes() == other.tobytes()
+            )
+        return type(one) is type(other) and one == other
+
+    return equal
+
+
+@pytest.fixture(scope="session")
+def random_actions():
+    """Makes an endless stream of random actions for an environment's agents."""
+
+    def stream(env, seed: int):
+        rng = np.random.default_rng(seed)
+        n = len(env.behaviors)
+        while True:
+            yield {agent: int(rng.integers(n)) for agent in env.possible_agents}
+
+    return stream

@@ -1,0 +1,344 @@
+"""What training libraries demand of an environment, for every shipped scenario."""
+
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pettingzoo
+import pytest
+from gymnasium import spaces
+from pettingzoo import ParallelEnv
+from pettingzoo.test import (
+    api_test,
+    max_cycles_test,
+    parallel_api_test,
+    parallel_seed_test,
+    seed_test,
+)
+from pettingzoo.test.state_test import state_test
+
+from household import household_v0
+from household.errors import HouseholdError
+
+ALLOWED_INFOS = {"situation", "feedback", "caresses", "taps"}
+CYCLES = 12
+
+# A dictionary is neither an array nor a box; PettingZoo says so, and it is meant.
+ABOUT_DICTIONARIES = (
+    "ignore:Observation is not a NumPy array",
+    "ignore:Observation space .*probably should be",
+)
+pytestmark = [
+    pytest.mark.filterwarnings("error"),
+    *(pytest.mark.filterwarnings(text) for text in ABOUT_DICTIONARIES),
+]
+
+
+@pytest.fixture(scope="module", params=["features", "situation"])
+def encoding(request):
+    return request.param
+
+
+@pytest.fixture
+def make(shipped_scenario, encoding):
+    def parallel_env(max_cycles: int = CYCLES) -> ParallelEnv:
+        return household_v0.parallel_env(
+            shipped_scenario, encoding, max_cycles=max_cycles
+        )
+
+    return parallel_env
+
+
+@pytest.fixture
+def make_aec(shipped_scenario, encoding):
+    def env(max_cycles: int = CYCLES):
+        return household_v0.env(shipped_scenario, encoding, max_cycles=max_cycles)
+
+    return env
+
+
+def arrays(observation):
+    values = observation.values() if isinstance(observation, dict) else [observation]
+    return list(values)
+
+
+def exact(observation, space) -> bool:
+    """Whether an observation is in its space, in exactly its types and shapes."""
+    parts = space.spaces if isinstance(space, spaces.Dict) else {"": space}
+    values = observation if isinstance(observation, dict) else {"": observation}
+    return list(parts) == list(values) and all(
+        values[name].dtype == part.dtype
+        and values[name].shape == part.shape
+        and part.contains(values[name])
+        for name, part in parts.items()
+    )
+
+
+def test_the_parallel_api_test_passes(make):
+    parallel_api_test(make(), num_cycles=2 * CYCLES)
+
+
+def test_the_api_test_passes(make_aec):
+    api_test(make_aec(), num_cycles=2 * CYCLES)
+
+
+def test_the_seed_tests_pass(make, make_aec):
+    seed_test(make_aec, num_cycles=2 * CYCLES)
+    parallel_seed_test(make, num_cycles=2 * CYCLES)
+
+
+def test_the_state_test_passes(make, make_aec):
+    state_test(make_aec(), make(), num_cycles=2 * CYCLES)
+
+
+def test_the_max_cycles_test_passes(shipped_scenario, encoding):
+    class Module:
+        @staticmethod
+        def parallel_env(max_cycles):
+            return household_v0.parallel_env(
+                shipped_scenario, encoding, max_cycles=max_cycles
+            )
+
+        @staticmethod
+        def env(max_cycles):
+            return household_v0.env(shipped_scenario, encoding, max_cycles=max_cycles)
+
+    max_cycles_test(Module)
+
+
+def test_what_clients_read_of_an_environment_is_there_before_the_first_reset(make):
+    env = make()
+    n = len(env.possible_agents)
+    assert env.possible_agents == [f"robot_{i}" for i in range(n)]
+    assert env.metadata["name"] == "household_v0"
+    assert env.metadata["is_parallelizable"] is True
+    assert isinstance(env.metadata["render_modes"], list)
+    assert env.metadata["render_fps"] > 0
+    assert env.render_mode is None
+    assert env.unwrapped is env
+
+
+def test_spaces_are_the_same_objects_at_each_call_and_equal_for_all_robots(make):
+    env = make()
+    first = env.possible_agents[0]
+    for agent in env.possible_agents:
+        assert env.observation_space(agent) is env.observation_space(agent)
+        assert env.action_space(agent) is env.action_space(agent)
+        assert env.observation_space(agent) == env.observation_space(first)
+        assert env.action_space(agent) == spaces.Discrete(len(env.behaviors))
+
+
+def test_the_state_is_a_flat_float32_vector_in_its_space_even_after_the_end(make):
+    env = make()
+    assert isinstance(env.state_space, spaces.Box)
+    assert env.state_space.dtype == np.float32
+    assert len(env.state_space.shape) == 1
+    env.reset(seed=1)
+    for _ in range(CYCLES):
+        assert exact(env.state(), env.state_space)
+        env.step(dict.fromkeys(env.agents, 0))
+    assert env.agents == []
+    assert exact(env.state(), env.state_space)
+
+
+def test_infos_are_empty_at_reset_and_hold_the_allow_list_after_a_step(make):
+    env = make()
+    observations, infos = env.reset(seed=1)
+    assert infos == {agent: {} for agent in env.possible_agents}
+    assert list(observations) == env.possible_agents
+    for _ in range(CYCLES):
+        *_, infos = env.step(dict.fromkeys(env.agents, 0))
+        assert list(infos) == env.possible_agents
+        assert all(set(info) == ALLOWED_INFOS for info in infos.values())
+
+
+def test_every_step_delivers_exact_types_and_the_last_one_ends_for_all(make):
+    env = make()
+    observations, _ = env.reset(seed=1)
+    rng = np.random.default_rng(1)
+    n = len(env.behaviors)
+    for step in range(1, CYCLES + 1):
+        actions = {agent: int(rng.integers(n)) for agent in env.agents}
+        observations, rewards, ends, cuts, infos = env.step(actions)
+        for answer in (observations, rewards, ends, cuts, infos):
+            assert list(answer) == env.possible_agents
+        for agent in env.possible_agents:
+            assert exact(observations[agent], env.observation_space(agent))
+            assert type(rewards[agent]) is float
+            assert ends[agent] is False
+            assert cuts[agent] is (step == CYCLES)
+        assert env.agents == ([] if step == CYCLES else env.possible_agents)
+
+
+def test_a_step_after_the_end_returns_empty_dictionaries_and_changes_nothing(
+    make, same
+):
+    env = make(max_cycles=2)
+    env.reset(seed=1)
+    for _ in range(2):
+        env.step(dict.fromkeys(env.agents, 0))
+    before = env.state()
+    assert env.step({}) == ({}, {}, {}, {}, {})
+    assert env.step(dict.fromkeys(env.possible_agents, 0)) == ({}, {}, {}, {}, {})
+    assert same(env.state(), before)
+
+
+def test_actions_of_agents_that_are_not_there_are_ignored(make, same):
+    one, other = make(), make()
+    for env in (one, other):
+        env.reset(seed=3)
+    for _ in range(CYCLES):
+        actions = dict.fromkeys(one.agents, 0)
+        plain = one.step(actions)
+        assert same(other.step({**actions, "robot_99": 1, "stranger": 7}), plain)
+
+
+def test_actions_may_be_of_any_integer_type(make, same):
+    one, other = make(), make()
+    for env in (one, other):
+        env.reset(seed=3)
+    for _ in range(CYCLES):
+        plain = one.step(dict.fromkeys(one.agents, 1))
+        assert same(other.step(dict.fromkeys(other.agents, np.int64(1))), plain)
+
+
+def test_a_reset_without_a_seed_goes_on_and_does_not_begin_anew(make, same):
+    env = make()
+    first, _ = env.reset(seed=5)
+    seconds = [env.reset()[0] for _ in range(3)]
+    states = [env.state()]
+    again, _ = env.reset(seed=5)
+    assert same(again, first)
+    assert same([env.reset()[0] for _ in range(3)], seconds)
+    assert same(env.state(), states[0])
+
+
+def test_zero_is_a_seed_like_any_other(make, same):
+    env = make()
+    first = env.reset(seed=0)
+    env.reset()
+    assert same(env.reset(seed=0), first)
+
+
+def test_two_environments_that_were_never_seeded_differ(shipped_scenario):
+    # Perceived moods carry noise, so that two histories never look the same.
+    one, other = (household_v0.parallel_env(shipped_scenario) for _ in range(2))
+    one.reset()
+    other.reset()
+    assert not np.array_equal(one.state(), other.state())
+
+
+def test_returned_arrays_are_neither_reused_nor_shared(make, same):
+    env = make()
+    observations, _ = env.reset(seed=1)
+    kept = {agent: arrays(observations[agent]) for agent in env.possible_agents}
+    copies = {agent: [a.copy() for a in kept[agent]] for agent in kept}
+    state, state_copy = env.state(), env.state().copy()
+    env.step(dict.fromkeys(env.agents, 0))
+    assert same(kept, copies)
+    assert same(state, state_copy)
+    everything = [array for agent in kept for array in kept[agent]]
+    everything += [
+        array for o in (env.reset()[0],) for a in o for array in arrays(o[a])
+    ]
+    for i, array in enumerate(everything):
+        assert array.flags.writeable
+        for other in everything[:i]:
+            assert not np.shares_memory(array, other)
+
+
+def test_writing_into_what_was_returned_changes_nothing(make, same):
+    one, other = make(), make()
+    for env in (one, other):
+        env.reset(seed=2)
+    for _ in range(CYCLES):
+        expected = one.step(dict.fromkeys(one.agents, 0))
+        given = other.step(dict.fromkeys(other.agents, 0))
+        assert same(given, expected)
+        for agent in other.possible_agents:
+            for array in arrays(given[0][agent]):
+                array[...] = 0
+            given[4][agent].clear()
+        other.state()[...] = 0
+
+
+def test_a_pickled_environment_is_made_anew_with_the_same_arguments(make, same):
+    env = make()
+    env.reset(seed=1)
+    copy = pickle.loads(pickle.dumps(env))
+    assert copy.agents == []
+    assert copy.max_cycles == CYCLES
+    assert copy.scenario == env.scenario
+    assert copy.observation_spaces == env.observation_spaces
+    assert same(copy.reset(seed=4), env.reset(seed=4))
+
+
+def test_the_turn_based_form_gives_access_to_everything_through_unwrapped(make_aec):
+    env = make_aec()
+    env.reset(seed=1)
+    bare = env.unwrapped
+    agent = env.agent_selection
+    assert bare.situation(agent).entities == tuple(sorted(bare.scenario.person_names))
+    assert bare.feedback(agent) == ()
+    assert bare.appropriateness(agent).shape == (len(bare.behaviors),)
+    assert bare.state_space.contains(bare.state())
+
+
+def test_what_evaluation_reads_stays_in_its_range(make):
+    env = make(max_cycles=60)
+    env.reset(seed=1)
+    while env.agents:
+        env.step(dict.fromkeys(env.agents, env.decision // 10 % len(env.behaviors)))
+        for agent in env.possible_agents:
+            values = env.appropriateness(agent)
+            assert np.isfinite(values).all()
+            assert (np.abs(values) <= 1.0).all()
+            assert all(1 <= x <= 10 for x in env.opinion(agent).values())
+
+
+@pytest.mark.parametrize("action", [-1, 99])
+def test_an_action_that_is_no_behavior_is_refused_in_one_line(action):
+    env = household_v0.parallel_env()
+    env.reset(seed=1)
+    with pytest.raises(HouseholdError, match=r"robot_0: .*allowed: 0 to 1$"):
+        env.step({"robot_0": action})
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        ({"scenario": "experimnt_1"}, "did you mean 'experiment_1'"),
+        ({"observation": "featurs"}, "did you mean 'features'"),
+        ({"render_mode": "humn"}, "render mode 'humn'"),
+        ({"max_cycle": 3}, "did you mean 'max_cycles'"),
+        ({"max_cycles": 0}, "max_cycles"),
+        ({"behaviors": ["bark", "plya"]}, "did you mean 'play'"),
+    ],
+)
+def test_a_wrong_argument_is_answered_by_one_line_with_a_hint(arguments, hint):
+    with pytest.raises(HouseholdError) as caught:
+        household_v0.parallel_env(**arguments)
+    assert hint in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.skipif(
+    not hasattr(pettingzoo, "register"), reason="PettingZoo has it since 1.27"
+)
+def test_importing_household_alone_enters_it_into_the_registry():
+    code = (
+        "import household, pettingzoo, sys\n"
+        "assert 'policies' not in sys.modules\n"
+        "for form in ('parallel', 'aec'):\n"
+        "    env = pettingzoo.make(form, 'household/household-v0', max_cycles=3)\n"
+        "    env.reset(seed=1)\n"
+        "    print(env.unwrapped.max_cycles, env.possible_agents)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == "3 ['robot_0']\n" * 2
