@@ -43,7 +43,21 @@ PREFERRED: dict[RegionActivity, tuple[str, ...]] = {
 }
 """Where an activity is at home: the first category that a house has. Our choice."""
 
-EVERY = {
+AIM: dict[RegionActivity, tuple[float, float]] = {
+    "entering": (0.5, 0.1),
+    "sleeping": (0.2, 0.8),
+    "working": (0.8, 0.2),
+    "playing": (0.5, 0.5),
+    "reading": (0.8, 0.8),
+    "calling": (0.2, 0.2),
+}
+"""Where in its room an activity would be, as shares of width and depth: apart from
+the others if one room has to hold several. Our choice."""
+
+AT_THE_WALL = ("sleeping", "working", "calling")
+"""Activities whose bed, desk or phone is at the wall; in others one faces the room."""
+
+EVERY: dict[RegionActivity, set[str]] = {
     "sleeping": {"bedroom", "child_room", "guest_room"},
     "working": {"office", "study"},
     "playing": {"living_room", "child_room"},
@@ -85,10 +99,11 @@ class Place:
     name: str
     box: Corners
 
-    @property
-    def center(self) -> Array:
-        """Middle of the box, shape (2,) [m]."""
-        return np.array(self.box).reshape(2, 2).mean(axis=0)
+    def at(self, share: tuple[float, float]) -> Array:
+        """A point of the box, shape (2,) [m]; (0, 0) is its lower left corner."""
+        low, high = np.array(self.box[:2]), np.array(self.box[2:])
+        point: Array = low + np.array(share) * (high - low)
+        return point
 
 
 def load_houseexpo(path: Path | str) -> FloorPlan:
@@ -160,8 +175,7 @@ def _contour(verts: Sequence[Point], origin: str) -> list[Point]:
             f"{origin}: verts: {size} is no home; allowed: 1 m to {LARGEST:.0f} m, "
             "in meters"
         )
-    kept = [int(i) for i in _bends(points, 0, len(points) - 1)]
-    corners = [(float(x), float(y)) for x, y in points[kept]]
+    corners = [(float(x), float(y)) for x, y in points[_bends(points)]]
     pairs = zip(corners, _rotated(corners), strict=True)
     distinct = [a for a, b in pairs if np.hypot(a[0] - b[0], a[1] - b[1]) > JITTER]
     if len(distinct) < 3:
@@ -171,17 +185,20 @@ def _contour(verts: Sequence[Point], origin: str) -> list[Point]:
     return distinct
 
 
-def _bends(points: Array, first: int, last: int) -> list[int]:
+def _bends(points: Array) -> list[int]:
     """Corners left when all that bend the line by little are gone (Douglas-Peucker)."""
-    if last - first < 2:
-        return [first, last][: 1 + (last > first)]
-    between = points[first + 1 : last]
-    chord = np.concatenate([points[first], points[last]])[None]
-    gaps = distance_to_segments(between, chord)[:, 0]
-    far = first + 1 + int(gaps.argmax())
-    if gaps.max() <= JITTER:
-        return [first, last]
-    return _bends(points, first, far) + _bends(points, far, last)[1:]
+    kept, stretches = {0, len(points) - 1}, [(0, len(points) - 1)]
+    while stretches:
+        first, last = stretches.pop()
+        if last - first < 2:
+            continue
+        chord = points[[first, last]].reshape(1, 4)
+        gaps = distance_to_segments(points[first + 1 : last], chord)[:, 0]
+        if gaps.max() > JITTER:
+            far = first + 1 + int(gaps.argmax())
+            kept.add(far)
+            stretches += [(first, far), (far, last)]
+    return sorted(kept)
 
 
 def _places(house: House) -> Iterator[Place]:
@@ -230,7 +247,7 @@ def _by_preference(rooms: Iterable[Place], activity: RegionActivity) -> list[Pla
 
 
 def _largest_part(plan: FloorPlan) -> Array:
-    """Where a body fits, in the largest part of the home that hangs together, (n, 2)."""
+    """Where a body fits, in the largest part that hangs together, shape (n, 2) [m]."""
     routes = Routes(plan)
     indoors = routes.free & (routes.parts != routes.parts[0, 0])
     if not indoors.any():
@@ -252,7 +269,7 @@ class Floor:
     regions: list[Region] = field(default_factory=list)
 
     def add(self, activity: RegionActivity, room: Place) -> bool:
-        """Puts a region as near as possible to a room's middle, if it fits in there."""
+        """Puts a region as near as possible to its aim in a room, if it fits there."""
         return any(self._add(activity, room, radius) for radius in RADII)
 
     def _add(self, activity: RegionActivity, room: Place, radius: float) -> bool:
@@ -264,23 +281,24 @@ class Floor:
         spots = self.spots[here]
         if not len(spots):
             return False
-        nearest = spots[np.hypot(*(spots - room.center).T).argmin()]
+        nearest = spots[np.hypot(*(spots - room.at(AIM[activity])).T).argmin()]
         region = Region(
             name=f"{room.name} {activity}",
             activity=activity,
             center=_rounded(nearest),
             radius=radius,
-            facing=_facing(nearest, room),
+            facing=_facing(activity, nearest, room),
         )
         self.regions.append(region)
         return True
 
 
-def _facing(spot: Array, room: Place) -> Point:
-    """The middle of the room or, from there, its right wall."""
-    if np.hypot(*(room.center - spot)) > 0.3:
-        return _rounded(room.center)
-    return _rounded(np.array([room.box[2] + 0.5, room.center[1]]))
+def _facing(activity: RegionActivity, spot: Array, room: Place) -> Point:
+    """The middle of the room, the wall behind, or the right wall from the middle."""
+    inward = room.at((0.5, 0.5)) - spot
+    if np.hypot(*inward) < 0.3:
+        return _rounded(room.at((1.0, 0.5)) + (0.5, 0.0))
+    return _rounded(spot - inward if activity in AT_THE_WALL else spot + inward)
 
 
 def _rounded(point: Array) -> Point:

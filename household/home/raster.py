@@ -1,0 +1,56 @@
+"""Pictures of homes as pixels, for whatever is drawn on top of them."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.home.drawing import BORDER, SCALE, draw_on
+from household.home.floorplan import FloorPlan
+
+STRIP = 0.7
+"""Below the home, for the scale bar [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Raster:
+    """A picture of a home.
+
+    Attributes:
+        pixels: Shape (height, width, 3), red, green and blue.
+        left: x of the left edge [m].
+        top: y of the upper edge [m].
+        scale: Pixels per meter.
+    """
+
+    pixels: NDArray[np.uint8]
+    left: float
+    top: float
+    scale: float
+
+
+def size_of(plan: FloorPlan) -> NDArray[np.float64]:
+    """Width and height of a home's picture, shape (2,) [m]."""
+    size: NDArray[np.float64] = plan.upper - plan.lower
+    return size + (2 * BORDER, 2 * BORDER + STRIP)
+
+
+@lru_cache(maxsize=8)
+def rasterize(plan: FloorPlan, scale: float) -> Raster:
+    """Draws a home.
+
+    Args:
+        plan: The home.
+        scale: Pixels per meter.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=tuple(SCALE * size_of(plan)), dpi=scale / SCALE)
+    canvas = FigureCanvasAgg(figure)
+    draw_on(plan, figure.add_axes((0.0, 0.0, 1.0, 1.0)))
+    canvas.draw()
+    pixels = np.asarray(canvas.buffer_rgba())[..., :3].copy()
+    left, top = plan.lower[0] - BORDER, plan.upper[1] + BORDER
+    return Raster(pixels, float(left), float(top), scale)
