@@ -14,7 +14,7 @@ import os
 import platform
 import subprocess
 import traceback
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -64,10 +64,7 @@ class Results:
             ExperimentError: If the directory cannot be used, or holds results of
                 another configuration. Nothing stored is touched then.
         """
-        asked = _plain(configuration)
-        stored = self.read_study() if self.study_file.exists() else None
-        if stored is not None:
-            self._compare(stored, asked)
+        stored = self.check(configuration)
         session = {"versions": versions(), "commit": commit()}
         sessions = list(stored["sessions"]) if stored else []
         if session not in sessions:
@@ -77,20 +74,29 @@ class Results:
             "study": study.name,
             "seeds": list(study.seeds),
             "sessions": sessions,
-            "configuration": asked,
+            "configuration": configuration,
         }
         make_directory(self.directory)
         for remains in self.directory.rglob(".*.tmp"):  # of a run that was killed
             remains.unlink(missing_ok=True)
         write_text(self.study_file, to_json(document))
 
-    def _compare(self, stored: Mapping[str, Any], asked: object) -> None:
-        difference = first_difference(stored["configuration"], asked)
+    def check(self, configuration: object) -> dict[str, Any] | None:
+        """Returns what `study.json` holds, None without one; changes nothing.
+
+        Raises:
+            ExperimentError: If it is damaged or has another configuration.
+        """
+        if not self.study_file.exists():
+            return None
+        stored = self.read_study()
+        difference = first_difference(stored["configuration"], _plain(configuration))
         if difference:
             raise ExperimentError(
                 f"{self.study_file}: holds results of another configuration "
                 f"({difference}). Choose another --out, or delete {self.directory}."
             )
+        return stored
 
     def read_study(self) -> dict[str, Any]:
         """Returns the content of `study.json`.

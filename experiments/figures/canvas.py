@@ -134,6 +134,7 @@ def _styled() -> Iterator[None]:
 
 def _lay_out(columns: Sequence[Column]) -> Figure:
     from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator
 
     heights = [cell.height for cell in columns[0].cells]
     figure = Figure(
@@ -148,6 +149,7 @@ def _lay_out(columns: Sequence[Column]) -> Figure:
             cell.draw(axes)
         grid[0, index].set_title(column.title, pad=14)
         grid[-1, index].set_xlabel("time [min]")
+        grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.align_ylabels()
     return figure
 

@@ -164,13 +164,13 @@ class TouchFrequency:
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws the mean counts."""
         self.draw_as(axes, trials, None)
+        axes.set_ylim(bottom=0)
 
     def draw_as(self, axes: Axes, trials: pl.DataFrame, lane: int | None) -> None:
         """Draws the mean counts as one of several conditions."""
         end = _end(trials)
         counts = _per_trial(trials, lambda t: self._counts(t, end))
         _band(axes, _middles(end), counts, lane, _condition(trials))
-        axes.set_ylim(bottom=0)
 
     def _counts(self, trial: pl.DataFrame, end: float) -> FloatArray:
         felt = measures.touches(trial)
@@ -241,6 +241,11 @@ def _band(
 
 def _finish(axes: Axes) -> None:
     _zero(axes)
+    legend_above(axes)
+
+
+def legend_above(axes: Axes) -> None:
+    """Names the lines in a line above the axes."""
     axes.legend(loc="lower right", bbox_to_anchor=(1, 0.97), ncols=4, borderaxespad=0.1)
 
 

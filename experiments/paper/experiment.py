@@ -11,6 +11,7 @@ import polars as pl
 from experiments import measures
 from experiments.claims import Claim, Finding
 from experiments.figures import Cell, Column, CumulativeReward, Row, TouchFrequency
+from experiments.figures.rows import legend_above
 from experiments.runner import run_trial
 from experiments.trial import Condition, Study
 
@@ -162,5 +163,6 @@ def _draw_conditions(
     for lane, condition in enumerate(experiment.conditions):
         trials = frame.filter(pl.col("condition") == condition.name)
         row.draw_as(axes, trials, lane)
-    if isinstance(row, CumulativeReward):
-        axes.legend(loc="upper left", ncols=2)
+    if isinstance(row, TouchFrequency):
+        axes.set_ylim(bottom=0)
+    legend_above(axes)

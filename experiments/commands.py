@@ -1,0 +1,130 @@
+"""The commands of `household`: what each takes and what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Protocol
+
+from tyro.conf import Positional, arg
+
+from experiments.errors import ExperimentError, unknown
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from experiments.paper import Experiment
+
+
+class Command(Protocol):
+    """Something that can be run once its words are read."""
+
+    def run(self) -> None:
+        """Does it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reproduce:
+    """Run the paper's experiments: claims, figures, replays, report.
+
+    What is stored already is not run again: stop it with Ctrl-C and start it again.
+    """
+
+    experiments: Annotated[
+        Positional[tuple[str, ...]], arg(metavar="[1..5]", help_behavior_hint="")
+    ] = ()
+    """Which experiments; all of them if none is named."""
+
+    seeds: int = 30
+    """Trials per condition; their seeds are 0, 1, 2, ..."""
+
+    out: Path = Path("runs/paper")
+    """Directory for everything that comes out."""
+
+    workers: int | None = None
+    """Processes on this machine; one for each core if not given."""
+
+    engine: str = "local"
+    """local, dask, dask:ADDRESS, ray or ray:ADDRESS."""
+
+    def run(self) -> None:
+        """Runs what is missing, then publishes."""
+        from experiments.publish import publish
+        from experiments.summary import show
+
+        console = _console()
+        self._run_missing(console, self._chosen())
+        with console.status("Drawing figures, recording replays, writing the report"):
+            published = publish(self.out)
+        show(console, published)
+
+    def _chosen(self) -> tuple[Experiment, ...]:
+        """Checks everything that can be checked before anything is run."""
+        from experiments.paper import EXPERIMENTS, select
+
+        numbers = [
+            _number(word, "experiment", EXPERIMENTS) for word in self.experiments
+        ]
+        if self.seeds < 1:
+            raise ExperimentError(f"--seeds must be at least 1, got {self.seeds}.")
+        if self.out.exists() and not self.out.is_dir():
+            raise ExperimentError(f"--out {self.out}: is a file, must be a directory.")
+        return select(numbers)
+
+    def _run_missing(
+        self, console: Console, experiments: tuple[Experiment, ...]
+    ) -> None:
+        from experiments.engine import open_engine
+        from experiments.progress import progress
+        from experiments.reproduce import prepare, run
+
+        engine = open_engine(self.engine, self.workers)
+        studies = [each.study(tuple(range(self.seeds))) for each in experiments]
+        jobs = prepare(studies, self.out)
+        total = sum(len(study.trials()) for study in studies)
+        stored = f"{total - len(jobs)} of {total} trials are stored already."
+        console.print(f"{total} trials. {stored if len(jobs) < total else ''}")
+        try:
+            with progress(console, "trials", len(jobs)) as advance:
+                run(jobs, engine, advance)
+        except KeyboardInterrupt:
+            left = sum(len(job.results.missing([job.trial])) for job in jobs)
+            raise KeyboardInterrupt(
+                f"Stopped. {total - left} of {total} trials are stored in {self.out}; "
+                "the same command goes on from there."
+            ) from None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """Build claims, figures and report.html again from stored results."""
+
+    directory: Annotated[Positional[Path], arg(metavar="DIR")]
+    """What `household reproduce --out` was given."""
+
+    def run(self) -> None:
+        """Publishes what is stored."""
+        from experiments.publish import publish
+        from experiments.summary import show
+
+        show(_console(), publish(self.directory))
+
+
+COMMANDS: Mapping[str, Callable[..., Command]] = {
+    "reproduce": Reproduce,
+    "report": Report,
+}
+"""Every command that there is, in the order of `--help`."""
+
+
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console()
+
+
+def _number(word: str, kind: str, allowed: Iterable[int]) -> int:
+    if not word.isdecimal():
+        raise unknown(kind, word, allowed)
+    return int(word)

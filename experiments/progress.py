@@ -1,0 +1,84 @@
+"""How far a long run is: a moving bar in a terminal, plain lines anywhere else."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Advance = Callable[[], None]
+"""Says that one more is done."""
+
+_LINES = 10
+"""How many lines a run writes at most where there is no terminal."""
+
+
+@contextmanager
+def progress(console: Console, what: str, total: int) -> Iterator[Advance]:
+    """Shows done, rate and time left while a block runs.
+
+    Args:
+        console: Where to.
+        what: What is counted, e.g. "trials".
+        total: How many there are.
+
+    Yields:
+        A function to be called after each one.
+    """
+    if console.is_terminal:
+        with _bar(console, what, total) as advance:
+            yield advance
+    else:
+        yield _lines(console, what, total)
+
+
+@contextmanager
+def _bar(console: Console, what: str, total: int) -> Iterator[Advance]:
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (
+        BarColumn(bar_width=None),
+        MofNCompleteColumn(),
+        TextColumn(what),
+        TextColumn("{task.fields[rate]}"),
+        TimeRemainingColumn(),
+        TextColumn("left"),
+    )
+    begun = time.monotonic()
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=total, rate="")
+
+        def advance() -> None:
+            bar.advance(task)
+            rate = bar.tasks[0].completed / (time.monotonic() - begun)
+            bar.update(task, rate=f"{rate:.1f}/s")
+
+        yield advance
+
+
+def _lines(console: Console, what: str, total: int) -> Advance:
+    begun = time.monotonic()
+    done = 0
+
+    def advance() -> None:
+        nonlocal done
+        done += 1
+        if done * _LINES // total > (done - 1) * _LINES // total:
+            rate = done / (time.monotonic() - begun)
+            left = (total - done) / rate
+            console.print(
+                f"{done} of {total} {what}, {rate:.1f}/s, {left:.0f} s left",
+                highlight=False,
+            )
+
+    return advance

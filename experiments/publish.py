@@ -1,0 +1,162 @@
+"""From stored results to findings, figures, replays and the report.
+
+DIR/experiment_1/...                      the stored trials
+DIR/claims.json                           every claim and what came of it
+DIR/figures/figure_3.svg, .png, ...       the paper's figures
+DIR/replays/experiment_1_seed_12.rrd      the typical seed, to be looked at
+DIR/report.html                           all of it, in one file
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import polars as pl
+
+from experiments import figures, measures
+from experiments.claims import Finding
+from experiments.errors import ExperimentError
+from experiments.evaluation import Evaluation, evaluate
+from experiments.paper import EXPERIMENTS, Experiment, comparison
+from experiments.replays import record
+from experiments.report import write_report
+from experiments.results import Results, make_directory, to_json, write_text
+from experiments.trial import Study, Trial
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A figure: its files and what stands in the report."""
+
+    name: str
+    caption: str
+    svgs: tuple[str, ...]
+    files: tuple[Path, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reproduced:
+    """An experiment with all that came out of it."""
+
+    experiment: Experiment
+    study: Study
+    document: dict[str, Any]
+    """The content of `study.json`."""
+
+    findings: tuple[Finding, ...]
+    evaluations: tuple[Evaluation, ...]
+    drawn: tuple[Drawn, ...]
+    typical_seed: int
+    replay: Path | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Published:
+    """What lies in an output directory now."""
+
+    reproduced: tuple[Reproduced, ...]
+    unfinished: tuple[str, ...]
+    """One sentence for each experiment that was left out."""
+
+    claims_file: Path
+    report_file: Path
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Every finding of every experiment."""
+        return tuple(one for part in self.reproduced for one in part.findings)
+
+
+def publish(out: Path) -> Published:
+    """Analyzes all finished experiments in a directory and writes the report.
+
+    Args:
+        out: What `household reproduce --out` was given.
+
+    Raises:
+        ExperimentError: If there is no finished experiment.
+    """
+    finished, unfinished = _finished(out)
+    make_directory(out / "figures")
+    make_directory(out / "replays")
+    reproduced = tuple(_analyze(experiment, out) for experiment in finished)
+    published = Published(
+        reproduced=reproduced,
+        unfinished=unfinished,
+        claims_file=out / "claims.json",
+        report_file=out / "report.html",
+    )
+    plain = [finding.plain() for finding in published.findings]
+    write_text(published.claims_file, to_json(plain))
+    write_report(published, published.report_file)
+    return published
+
+
+def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
+    finished, unfinished = [], []
+    for experiment in EXPERIMENTS.values():
+        results = Results(out / experiment.name)
+        if not results.study_file.exists():
+            continue
+        trials = _stored_study(experiment, results).trials()
+        missing = results.missing(trials)
+        if missing:
+            unfinished.append(
+                f"Experiment {experiment.number} is left out: {len(missing)} of "
+                f"{len(trials)} trials are missing."
+            )
+        else:
+            finished.append(experiment)
+    if not finished:
+        hint = unfinished[0] if unfinished else "No results there."
+        raise ExperimentError(f"{out}: nothing to report. {hint}")
+    return finished, tuple(unfinished)
+
+
+def _stored_study(experiment: Experiment, results: Results) -> Study:
+    return experiment.study(tuple(results.read_study()["seeds"]))
+
+
+def _analyze(experiment: Experiment, out: Path) -> Reproduced:
+    results = Results(out / experiment.name)
+    study = _stored_study(experiment, results)
+    frame = results.read(study)
+    typical = measures.typical_seed(frame, experiment.reference)
+    replay = out / "replays" / f"{experiment.name}_seed_{typical}.rrd"
+    condition = experiment.condition(experiment.reference)
+    if not replay.exists():
+        record(Trial(condition=condition, seed=typical), replay)
+    return Reproduced(
+        experiment=experiment,
+        study=study,
+        document=results.read_study(),
+        findings=experiment.check(frame),
+        evaluations=evaluate(
+            frame, tuple(c.name for c in experiment.conditions), experiment.roles
+        ),
+        drawn=tuple(_draw(experiment, frame, out / "figures")),
+        typical_seed=typical,
+        replay=replay,
+    )
+
+
+def _draw(experiment: Experiment, frame: pl.DataFrame, folder: Path) -> list[Drawn]:
+    parts = [(f.name, f.caption, f.columns(frame)) for f in experiment.figures]
+    compared = (
+        "All conditions: the sum of all touches, and how many caresses and taps a "
+        "minute brings."
+    )
+    name = f"{experiment.name}_rewards"
+    parts.append((name, compared, comparison(experiment, frame)))
+    return [
+        Drawn(
+            name=name,
+            caption=caption,
+            svgs=figures.inline(columns, name),
+            files=figures.save(columns, folder / name),
+        )
+        for name, caption, columns in parts
+    ]
