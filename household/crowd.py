@@ -26,7 +26,7 @@ ARRIVED = 0.05
 STUCK = 2.0
 """Time without progress after which a walker tries another way [s]."""
 
-DRIFT = 0.3
+DRIFT = 0.1
 """How far a body lets itself be pushed before it steps back to its place [m]."""
 
 CROWDED = 1.0

@@ -45,8 +45,7 @@ class Percept:
         time: Now [s].
         period: Time since the last percept [s].
         activity: The role that it plays where it stands.
-        place: Index of the activity region that it is in, -1 outside all.
-        walking: Whether it is on its way somewhere.
+        arrived: Whether it is where it intended to be, or as near as others let it.
         touched: Whether its wish to touch was fulfilled in this period.
         mood: Its mood, in [-1, 1].
         judgements: What it thinks of the bouts that it first perceived now.
@@ -57,8 +56,7 @@ class Percept:
     time: float
     period: float
     activity: Activity
-    place: int
-    walking: bool
+    arrived: bool
     touched: bool
     mood: float
     judgements: Sequence[Judgement]

@@ -168,8 +168,7 @@ class People:
                     time=now,
                     period=period,
                     activity=Activity(int(self.activity[i])),
-                    place=int(self.place[i]),
-                    walking=crowd.walks(i),
+                    arrived=self._has_arrived(i, crowd),
                     touched=person.touched,
                     mood=person.mood,
                     judgements=judgements[i],
@@ -181,6 +180,10 @@ class People:
             wish = person.intention.wish
             if wish is None or not self.reaches(i, wish, crowd, senses):
                 self._set_out(i, crowd, now)
+
+    def _has_arrived(self, i: int, crowd: Crowd) -> bool:
+        spot = self.places.claim(i, self.everyone[i].intention.place)
+        return not crowd.walks(i) and crowd.is_bound_for(i, spot)
 
     def wishes(self) -> Iterator[tuple[int, Wish]]:
         """The touches that people are out to give, with the index of the person."""

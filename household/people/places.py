@@ -6,12 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import Activity
-from household.home.floorplan import FloorPlan
+from household.home.floorplan import FloorPlan, Region
 from household.home.routes import routes_of
 from household.records import Point
 
-RING = 0.55
-"""Distance of further spots from the middle [m]: two bodies' radii and a little."""
+EDGE = 0.1
+"""How far inside its region a spot lies [m], as far as a body lets itself be pushed."""
+
+BODY = 0.5
+"""Distance between people who stand side by side [m]: two radii."""
 
 SPOTS_ON_RING = 6
 
@@ -31,7 +34,7 @@ class Places:
         self._spots = [
             [
                 spot
-                for spot in _spots(r.center)
+                for spot in _spots(r)
                 if routes.connects(np.array(spot), np.array(r.center))
             ]
             for r in plan.regions
@@ -93,10 +96,14 @@ class Places:
         return self._roles[place]
 
 
-def _spots(center: Point) -> list[Point]:
-    """The middle of a region and a ring of spots round it [m]."""
+def _spots(region: Region) -> list[Point]:
+    """The middle of a region and, if it is wide enough, a ring of spots round it."""
+    ring = region.radius - EDGE
+    if ring < BODY:
+        return [region.center]
     angles = [2 * math.pi * i / SPOTS_ON_RING for i in range(SPOTS_ON_RING)]
-    ring = [
-        (center[0] + RING * math.cos(a), center[1] + RING * math.sin(a)) for a in angles
+    x, y = region.center
+    return [
+        region.center,
+        *((x + ring * math.cos(a), y + ring * math.sin(a)) for a in angles),
     ]
-    return [center, *ring]

@@ -69,8 +69,8 @@ class EverydayMind(Mind):
         habit = self._gaze.look(percept)
         self._giving.consider(percept)
         wish = self._giving.wish
-        there = percept.place == self._doing.place and not percept.walking
-        self._doing.play(percept.time, percept.period, there=there and wish is None)
+        there = percept.arrived and wish is None
+        self._doing.play(percept.time, percept.period, there=there)
         place, look = self._doing.place, self._doing.look
         if wish is not None:
             return Intention(place=place, look=self._n_people + wish.robot, wish=wish)
