@@ -24,7 +24,7 @@ from household.perception.situation import Situation
 from household.robots.behavior import Bout
 from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
-from household.scenario import Scenario
+from household.scenario import MOST_PEOPLE, Scenario
 from household.scenario_check import load_scenario
 from household.streams import Streams
 
@@ -285,7 +285,10 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             now=self.time,
         )
         moods = np.array([person.mood for person in everyone])
-        noise = [rng.standard_normal(n_people) for rng in self._streams.robots]
+        # Drawn for as many as could be here, so that one more shifts nobody's draws.
+        noise = [
+            rng.standard_normal(MOST_PEOPLE)[:n_people] for rng in self._streams.robots
+        ]
         misread = self.scenario.perception.mood_noise * np.array(noise)
         self._moods = np.clip(moods + misread, -1.0, 1.0)
 

@@ -16,6 +16,9 @@ Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 Range = tuple[Positive, Positive]
 
+MOST_PEOPLE = 64
+"""In one household; robots perceive all of them at once."""
+
 
 class ScriptStep(Record, frozen=True, kw_only=True):
     """One line of a person's script.
@@ -126,7 +129,7 @@ class Slots(Record, frozen=True, kw_only=True):
         robots: The same for robots.
     """
 
-    people: Annotated[int, msgspec.Meta(ge=1, le=64)] | None = None
+    people: Annotated[int, msgspec.Meta(ge=1, le=MOST_PEOPLE)] | None = None
     robots: Annotated[int, msgspec.Meta(ge=1, le=16)] | None = None
 
 
@@ -156,7 +159,9 @@ class Scenario(Record, frozen=True, kw_only=True):
     physics_period: Positive = 0.1
     behaviors: Annotated[tuple[str, ...], msgspec.Meta(min_length=2)]
     behavior: dict[str, Behavior] = msgspec.field(default_factory=dict)
-    people: Annotated[tuple[PersonSpec, ...], msgspec.Meta(min_length=1, max_length=64)]
+    people: Annotated[
+        tuple[PersonSpec, ...], msgspec.Meta(min_length=1, max_length=MOST_PEOPLE)
+    ]
     robots: Annotated[tuple[RobotSpec, ...], msgspec.Meta(min_length=1, max_length=16)]
     norms: Norms | None = None
     heterogeneity: Share = 0.0
