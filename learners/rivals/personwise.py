@@ -100,5 +100,10 @@ class Personwise(CreditedLearner):
 
 
 def _places(state: State) -> dict[Hashable, Hashable]:
-    whole = state.canonical()
-    return {e: (whole, state.without(e).canonical()) for e in state.entities}
+    whole, people = state.canonical(), state.entities
+    # Each person takes the last one's name before leaving, so that what remains is told
+    # in the same names whoever left.
+    return {
+        e: (whole, state.swapped(e, people[-1]).without(people[-1]).canonical())
+        for e in people
+    }

@@ -138,7 +138,7 @@ def live(toy):
                         approach_began=time + length / 2
                         if rng.random() < 0.5
                         else None,
-                        attention_began=time - 0.5 if time > start else None,
+                        attention_began=time + length / 4,
                     ),
                 )
             learner.learn(
