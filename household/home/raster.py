@@ -33,7 +33,7 @@ class Raster:
 def size_of(plan: FloorPlan) -> NDArray[np.float64]:
     """Width and height of a home's picture, shape (2,) [m]."""
     size: NDArray[np.float64] = plan.upper - plan.lower
-    return size + (2 * BORDER, 2 * BORDER + STRIP)
+    return size + np.array([2 * BORDER, 2 * BORDER + STRIP])
 
 
 @lru_cache(maxsize=8)

@@ -55,6 +55,11 @@ class Stream:
             raise ValueError("the recording is closed")
         return self._recording
 
+    @property
+    def is_open(self) -> bool:
+        """Whether it can still be written to."""
+        return self._recording is not None
+
     def lay_out(self, blueprint: Any) -> None:  # noqa: ANN401 - Rerun's blueprint
         """Puts a layout into the recording.
 
@@ -124,7 +129,6 @@ def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
         values: Numbers, one row for each moment.
     """
     import pyarrow as pa
-    import rerun as rr
 
     flat = np.ascontiguousarray(values).reshape(len(values), -1)
     if flat.dtype == np.bool_:

@@ -1,0 +1,301 @@
+"""Touches, and what they are about: in truth, and as a learner believes."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.replay.colors import CARESS, TAP, packed
+from household.replay.scenery import LANE, SECOND
+from household.replay.stream import Stream, exact, words
+from household.scenario import Scenario
+from household.snapshot import Snapshot, Touch
+
+Array = NDArray[np.float64]
+Point = tuple[float, float]
+Line = tuple[Point, ...]
+
+SHOWN = 5.0
+"""How long a touch stays on the floor plan [s]."""
+
+REMEMBERED = 512
+"""Decisions for which it is known where the robots were; lines go back no further."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Share:
+    """What a past entry gets of a touch.
+
+    Attributes:
+        time: When the entry began [s].
+        behavior: Index of its behavior.
+        weight: Eligibility; 1 is a full share.
+    """
+
+    time: float
+    behavior: int
+    weight: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Belief:
+    """What a learner believes a touch to be about.
+
+    Attributes:
+        robot: Name of the robot that learned.
+        giver: Who touched.
+        value: Of the touch, in [-1, 1].
+        time: Of the touch [s].
+        shares: Who gets how much of it.
+        designated: The one that it is about above all, if any.
+    """
+
+    robot: str
+    giver: str
+    value: float
+    time: float
+    shares: tuple[Share, ...]
+    designated: Share | None
+
+
+@dataclass
+class Marks:
+    """Things that stay for a while and then go."""
+
+    stay: int
+    items: list[tuple[int, Any]] = field(default_factory=list)
+
+    def groups(self, first: int, last: int) -> tuple[list[int], list[list[Any]]]:
+        """Which things are there at each decision at which that changes.
+
+        Args:
+            first: First decision asked for; things that are gone before are forgotten.
+            last: Last decision asked for.
+        """
+        starts = [at for at, _ in self.items]
+        at = sorted(
+            {t for s in starts for t in (s, s + self.stay) if first <= t <= last}
+        )
+        groups = [
+            [item for start, item in self.items if start <= t < start + self.stay]
+            for t in at
+        ]
+        self.items = [(s, item) for s, item in self.items if s + self.stay > last]
+        return at, groups
+
+
+class Events:
+    """Collects touches and beliefs and writes them.
+
+    Args:
+        scenario: The household.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
+        self._robots = {name: i for i, name in enumerate(scenario.robot_names)}
+        self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
+        stay = max(1, round(SHOWN / scenario.decision_period))
+        self._marks = {name: Marks(stay) for name in ("touches", "true", "believed")}
+        self._touches: list[tuple[Snapshot, Touch]] = []
+        self._beliefs: list[tuple[int, Belief]] = []
+        self._first = 0
+        self._now = 0
+
+    def see(self, snapshot: Snapshot) -> None:
+        """Remembers where the robots are, and the touches of this moment."""
+        self._now = snapshot.decision
+        robots = snapshot.position[len(self._scenario.people) :]
+        self._spots[self._now % REMEMBERED] = robots
+        for touch in snapshot.touches:
+            self._touches.append((snapshot, touch))
+            spot = self._spot(touch.robot, self._now)
+            mark = (*spot, touch.feedback)
+            self._marks["touches"].items.append((self._now, mark))
+            cause = touch.cause
+            line = (spot, self._spot(cause.robot, cause.decision))
+            self._marks["true"].items.append((self._now, line))
+
+    def believe(self, belief: Belief) -> None:
+        """Remembers what a learner believes at this moment."""
+        self._beliefs.append((self._now, belief))
+        if belief.designated is not None:
+            touched = self._spot(belief.robot, self._decision(belief.time))
+            meant = self._spot(belief.robot, self._decision(belief.designated.time))
+            self._marks["believed"].items.append((self._now, (touched, meant)))
+
+    def send(self, stream: Stream) -> None:
+        """Writes what came since the last time."""
+        self._send_marks(stream)
+        if self._touches:
+            self._send_touches(stream)
+        if self._beliefs:
+            self._send_beliefs(stream)
+        self._touches.clear()
+        self._beliefs.clear()
+        self._first = self._now + 1
+
+    def _decision(self, time: float) -> int:
+        """The decision at which something began [s]."""
+        return round(time / self._scenario.decision_period)
+
+    def _spot(self, robot: str, decision: int) -> Point:
+        """Where a robot was; where it is now, if that is forgotten."""
+        known = decision if decision > self._now - REMEMBERED else self._now
+        x, y = self._spots[known % REMEMBERED, self._robots[robot]]
+        return float(x), float(y)
+
+    def _moments(self, decisions: Iterable[int]) -> tuple[NDArray[np.int64], Array]:
+        at = np.array(list(decisions), dtype=np.int64)
+        return at, at * self._scenario.decision_period
+
+    def _send_marks(self, stream: Stream) -> None:
+        import rerun as rr
+
+        for name, marks in self._marks.items():
+            decisions, groups = marks.groups(self._first, self._now)
+            if not decisions:
+                continue
+            flat = [item for group in groups for item in group]
+            sizes = [len(group) for group in groups]
+            columns: Any
+            if name == "touches":
+                columns = rr.Points2D.columns(
+                    positions=np.array([(x, y) for x, y, _ in flat]).reshape(-1, 2),
+                    colors=packed([_color(touch.value) for _, _, touch in flat]),
+                    labels=[f"{t.giver}: {t.kind} {t.value:+.2f}" for _, _, t in flat],
+                )
+            else:
+                columns = rr.LineStrips2D.columns(strips=flat)
+            moments = self._moments(decisions)
+            stream.send(f"world/{name}", moments, columns.partition(sizes))
+
+    def _send_touches(self, stream: Stream) -> None:
+        import rerun as rr
+
+        touches = [touch for _, touch in self._touches]
+        felt = [touch.feedback for touch in touches]
+        causes = [touch.cause for touch in touches]
+        moments = self._moments(snapshot.decision for snapshot, _ in self._touches)
+        stream.send("touches", moments, touch_columns(touches))
+        at = np.array(
+            [
+                (f.time * SECOND, self._lane(t.robot))
+                for f, t in zip(felt, touches, strict=True)
+            ]
+        )
+        points = rr.Points2D.columns(
+            positions=at,
+            colors=packed([_color(f.value) for f in felt]),
+            labels=[f.giver for f in felt],
+        )
+        stream.send("credit/past/touches", moments, points)
+        arcs = [
+            arc(tuple(point), (cause.time * SECOND, self._lane(cause.robot)), 1.0)
+            for point, cause in zip(at, causes, strict=True)
+        ]
+        stream.send("credit/past/true", moments, rr.LineStrips2D.columns(strips=arcs))
+        text = [self._told(touch) for touch in touches]
+        level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
+        stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
+
+    def _send_beliefs(self, stream: Stream) -> None:
+        import rerun as rr
+
+        moments = self._moments(decision for decision, _ in self._beliefs)
+        shares = [
+            (decision, belief, share)
+            for decision, belief in self._beliefs
+            for share in belief.shares
+        ]
+        at = self._moments(decision for decision, _, _ in shares)
+        pairs = [(belief, share) for _, belief, share in shares]
+        stream.send("credits", at, self._share_columns(pairs))
+        arcs = [self._arc(belief, share) for belief, share in pairs]
+        radii = np.array([0.005 + 0.025 * min(share.weight, 1.0) for _, share in pairs])
+        lines = rr.LineStrips2D.columns(strips=arcs, radii=radii)
+        stream.send("credit/past/believed", at, lines)
+        text = [self._told_belief(belief) for _, belief in self._beliefs]
+        level = ["DEBUG"] * len(text)
+        stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
+
+    def _lane(self, robot: str) -> float:
+        return self._robots[robot] * LANE
+
+    def _arc(self, belief: Belief, share: Share) -> Array:
+        lane = self._lane(belief.robot)
+        return arc((belief.time * SECOND, lane), (share.time * SECOND, lane), -1.0)
+
+    def _share_columns(self, pairs: Sequence[tuple[Belief, Share]]) -> list[Any]:
+        chosen = [belief.designated is share for belief, share in pairs]
+        robot = [self._robots[belief.robot] for belief, _ in pairs]
+        return [
+            exact("robot", np.array(robot, dtype=np.int64)),
+            words("giver", [belief.giver for belief, _ in pairs]),
+            exact("touch_time", np.array([belief.time for belief, _ in pairs])),
+            exact("time", np.array([share.time for _, share in pairs])),
+            exact("behavior", np.array([share.behavior for _, share in pairs])),
+            exact("weight", np.array([share.weight for _, share in pairs])),
+            exact("designated", np.array(chosen, dtype=np.bool_)),
+        ]
+
+    def _told(self, touch: Touch) -> str:
+        felt, cause = touch.feedback, touch.cause
+        ago = felt.time - cause.time
+        return (
+            f"{felt.giver} gives {touch.robot} a {felt.kind} ({felt.value:+.2f}), "
+            f"really for {self._name(cause.behavior)} of {cause.robot} {ago:.1f} s ago"
+        )
+
+    def _told_belief(self, belief: Belief) -> str:
+        shares = sorted(belief.shares, key=lambda share: -share.weight)[:3]
+        told = ", ".join(
+            f"{self._name(s.behavior)} {belief.time - s.time:.1f} s before "
+            f"({s.weight:.2f})"
+            for s in shares
+        )
+        touch = f"{belief.giver}'s touch ({belief.value:+.2f})"
+        return f"{belief.robot} credits {touch} to {told or 'nothing'}"
+
+    def _name(self, behavior: int) -> str:
+        return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
+
+
+def touch_columns(touches: Sequence[Touch]) -> list[Any]:
+    """Touches as exact columns, one row each; NaN where a moment is not known."""
+    felt = [touch.feedback for touch in touches]
+    causes = [touch.cause for touch in touches]
+    began = [(f.approach_began, f.attention_began) for f in felt]
+    numbers = [(f.strength, f.time, f.mood) for f in felt]
+    return [
+        words("robot", [touch.robot for touch in touches]),
+        words("giver", [f.giver for f in felt]),
+        words("kind", [f.kind for f in felt]),
+        exact("numbers", np.array(numbers)),
+        exact("attending", np.array([f.attending for f in felt])),
+        exact("began", np.array(began, dtype=np.float64)),
+        words("cause_robot", [c.robot for c in causes]),
+        exact("cause", np.array([(c.decision, c.behavior) for c in causes])),
+        exact("cause_time", np.array([c.time for c in causes])),
+    ]
+
+
+def arc(start: Point, end: Point, side: float) -> Array:
+    """A bow between two points in the picture of credit, shape (n_points, 2).
+
+    Args:
+        start: Where it begins.
+        end: Where it ends.
+        side: -1 bows upwards, 1 downwards.
+    """
+    along = np.linspace(0.0, 1.0, 13)[:, None]
+    height = side * LANE * min(0.42, 0.12 + 0.3 * abs(start[0] - end[0]))
+    bow = np.hstack([0 * along, height * 4 * along * (1 - along)])
+    line: Array = (1 - along) * np.array(start) + along * np.array(end) + bow
+    return line
+
+
+def _color(value: float) -> str:
+    return CARESS if value > 0 else TAP

@@ -1,0 +1,150 @@
+"""The layout that a recording brings along: what the viewer shows where."""
+
+from typing import TYPE_CHECKING, Any
+
+from household.home.raster import size_of
+from household.replay.scenery import LANE, SECOND, WINDOW, names_of
+from household.scenario import Scenario
+
+if TYPE_CHECKING:
+    import rerun.blueprint as rrb
+
+PAPER = (250, 250, 248)
+"""Ground of drawings, also where the viewer is dark."""
+
+
+def layout(scenario: Scenario, learns: bool) -> "rrb.Blueprint":
+    """Plan in the middle, attention and values beside it, courses of time below.
+
+    Args:
+        scenario: The household.
+        learns: Whether there is a learner whose beliefs can be shown.
+    """
+    import rerun.blueprint as rrb
+
+    left = rrb.Vertical(
+        _attention(scenario), _situations(), _events(), row_shares=[3, 1.6, 3]
+    )
+    right = rrb.Vertical(*(_values(scenario) if learns else ()), _moods(scenario))
+    above = rrb.Horizontal(left, _plan(scenario), right, column_shares=[3, 5, 3])
+    below = rrb.Horizontal(
+        _rewards(), _doings(scenario), _credit(scenario), column_shares=[3, 4, 4]
+    )
+    fps = 10.0 / scenario.decision_period
+    return rrb.Blueprint(
+        rrb.Vertical(above, below, row_shares=[5, 2.4]),
+        rrb.TimePanel(
+            timeline="decision", state="collapsed", play_state="paused", fps=fps
+        ),
+        rrb.BlueprintPanel(state="collapsed"),
+        rrb.SelectionPanel(state="collapsed"),
+        auto_views=False,
+    )
+
+
+def _plan(scenario: Scenario) -> Any:  # noqa: ANN401 - Rerun's views
+    import rerun.blueprint as rrb
+
+    plan = scenario.plan
+    width, height = size_of(plan)
+    left, top = float(plan.lower[0]) - 0.3, float(plan.upper[1]) + 0.3
+    return rrb.Spatial2DView(
+        origin="/",
+        contents=["+ /plan/**", "+ /world/**"],
+        name=f"{scenario.name}: {plan.name}",
+        background=PAPER,
+        visual_bounds=rrb.VisualBounds2D(
+            x_range=[left, left + width], y_range=[-top, height - top]
+        ),
+    )
+
+
+def _attention(scenario: Scenario) -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    n = len(names_of(scenario))
+    return rrb.Spatial2DView(
+        origin="/attention",
+        name="Attention: row looks at column",
+        background=PAPER,
+        visual_bounds=rrb.VisualBounds2D(x_range=[-1.3, n], y_range=[-0.8, n]),
+    )
+
+
+def _situations() -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    return rrb.TextDocumentView(origin="/situation", name="Situation")
+
+
+def _events() -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    return rrb.TextLogView(origin="/events", name="Touches and credit")
+
+
+def _values(scenario: Scenario) -> list[Any]:
+    import rerun.blueprint as rrb
+
+    views = [
+        rrb.TimeSeriesView(origin=f"/q/{robot}", name=f"Q-values of {robot}")
+        for robot in scenario.robot_names
+    ]
+    return views if len(views) <= 3 else [rrb.Tabs(*views)]
+
+
+def _moods(scenario: Scenario) -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    return rrb.TimeSeriesView(
+        origin="/mood",
+        name="Moods (private)",
+        axis_y=rrb.ScalarAxis(range=(-1.0, 1.0)),
+    )
+
+
+def _rewards() -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    return rrb.TimeSeriesView(
+        origin="/reward", name="Touches and their sum", plot_legend=rrb.Corner2D.LeftTop
+    )
+
+
+def _doings(scenario: Scenario) -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    lanes = [f"+ /doing/{name}" for name in names_of(scenario)]
+    return rrb.StateTimelineView(
+        origin="/doing", contents=lanes, name="Activities and behaviors"
+    )
+
+
+def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
+    import rerun.blueprint as rrb
+
+    n, period = len(scenario.robots), scenario.decision_period
+    back = round(WINDOW / period)
+    boundary = rrb.TimeRangeBoundary
+    ranges = [
+        rrb.VisibleTimeRange(
+            "decision",
+            start=boundary.cursor_relative(seq=-back),
+            end=boundary.cursor_relative(),
+        ),
+        rrb.VisibleTimeRange(
+            "seconds",
+            start=boundary.cursor_relative(seconds=-WINDOW),
+            end=boundary.cursor_relative(),
+        ),
+    ]
+    return rrb.Spatial2DView(
+        origin="/credit",
+        name="Credit: believed above, true below",
+        background=PAPER,
+        visual_bounds=rrb.VisualBounds2D(
+            x_range=[-(WINDOW + 9) * SECOND, 2 * SECOND],
+            y_range=[-0.6 * LANE, (n - 0.1) * LANE],
+        ),
+        time_ranges=ranges,
+    )

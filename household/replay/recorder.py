@@ -1,0 +1,166 @@
+"""The recorder: watches one episode and writes it as a replay."""
+
+import atexit
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from household.replay.events import Belief, Events
+from household.replay.layout import layout
+from household.replay.moving import send_rows
+from household.replay.rows import Buffer
+from household.replay.scenery import set_scene
+from household.replay.stream import Stream
+from household.snapshot import Snapshot, situations, snapshot
+
+if TYPE_CHECKING:
+    from household.environment import Household
+
+FLUSH_EVERY = 1000
+"""Decisions between writes to the file; a killed process loses no more than these."""
+
+WATCH_EVERY = 0.5
+"""Time between writes while somebody watches [s of the wall clock]."""
+
+
+class Recorder:
+    """Writes one episode, from the moment after its reset.
+
+    Moments are kept in arrays and written as columns, as one call to Rerun for each
+    would cost more than the simulation. A file that is cut off by a kill is whole up
+    to the last write.
+
+    Args:
+        home: The household, just reset.
+        path: File to write, ends in .rrd; None: none.
+        learns: Whether learners will tell what they believe.
+        watch: Shows the episode in the viewer while it goes on.
+        flush_every: Decisions between writes.
+    """
+
+    def __init__(
+        self,
+        home: "Household",
+        path: Path | str | None = None,
+        *,
+        learns: bool = False,
+        watch: bool = False,
+        flush_every: int = FLUSH_EVERY,
+    ) -> None:
+        scenario = home.scenario
+        self._home, self._scenario = home, scenario
+        self._buffer = Buffer(scenario, flush_every)
+        self._events = Events(scenario)
+        self._total = np.zeros(len(scenario.robots))
+        self._said: list[tuple[int, tuple[str, ...]]] = []
+        self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
+        self._last: Snapshot | None = None
+        self._watch, self._written = watch, time.monotonic()
+        kind = f"household-{scenario.name}{'-learning' if learns else ''}"
+        target = None if path is None else Path(path)
+        name = scenario.name if target is None else target.stem
+        self._stream = Stream(kind, name, target, watch)
+        self._begin(learns)
+        atexit.register(self.close)
+        self.record()
+
+    def _begin(self, learns: bool) -> None:
+        scenario = self._scenario
+        self._stream.lay_out(layout(scenario, learns))
+        plain = msgspec.structs.replace(scenario, home=scenario.plan)
+        self._stream.describe(scenario=msgspec.json.encode(plain).decode())
+        set_scene(self._stream, scenario, learns)
+
+    def record(self) -> None:
+        """Records this moment; to be called after each step."""
+        now = snapshot(self._home)
+        last, self._last = self._last, now
+        if last is None or _relations_changed(last, now):
+            self._said.append((now.decision, situations(self._home)))
+        self._buffer.put(now)
+        self._events.see(now)
+        if self._buffer.full or (self._watch and self._is_due()):
+            self.flush()
+
+    def value(self, robot: str, values: NDArray[np.float64]) -> None:
+        """Records what a learner expects of each behavior in the present situation.
+
+        Args:
+            robot: Name of the robot.
+            values: Shape (n_behaviors,).
+        """
+        assert self._last is not None
+        self._values.setdefault(robot, []).append((self._last.decision, values))
+
+    def believe(self, belief: Belief) -> None:
+        """Records what a learner now believes a touch to be about."""
+        self._events.believe(belief)
+
+    def flush(self) -> None:
+        """Writes everything so far."""
+        rows = self._buffer.take()
+        if len(rows):
+            send_rows(self._stream, self._scenario, rows, self._total)
+            self._total = self._total + rows.reward.sum(axis=0)
+        self._events.send(self._stream)
+        self._send_situations()
+        self._send_values()
+        self._stream.flush()
+        self._written = time.monotonic()
+
+    def close(self) -> None:
+        """Writes the rest and closes the file; a second time does nothing."""
+        if self._stream.is_open:
+            self.flush()
+            self._stream.close()
+            atexit.unregister(self.close)
+
+    def _is_due(self) -> bool:
+        return time.monotonic() - self._written >= WATCH_EVERY
+
+    def _moments(
+        self, decisions: Sequence[int]
+    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        at = np.array(decisions, dtype=np.int64)
+        return at, at * self._scenario.decision_period
+
+    def _send_situations(self) -> None:
+        import rerun as rr
+
+        moments = self._moments([decision for decision, _ in self._said])
+        texts = [_document(self._scenario.robot_names, said) for _, said in self._said]
+        document = rr.TextDocument.columns(text=texts)
+        self._stream.send("situation", moments, document)
+        self._said.clear()
+
+    def _send_values(self) -> None:
+        import rerun as rr
+
+        for robot, entries in self._values.items():
+            moments = self._moments([decision for decision, _ in entries])
+            values = np.array([values for _, values in entries])
+            scalars = rr.Scalars.columns(scalars=values)
+            self._stream.send(f"q/{robot}", moments, scalars)
+        self._values.clear()
+
+
+def _relations_changed(last: Snapshot, now: Snapshot) -> bool:
+    """Whether anything that a situation is made of is different."""
+    return (
+        last.activity.tobytes() != now.activity.tobytes()
+        or last.attends.tobytes() != now.attends.tobytes()
+    )
+
+
+def _document(robots: Sequence[str], said: Sequence[str]) -> str:
+    """Situations in words; one line if all robots see the same."""
+    if len(set(said)) == 1:
+        return said[0]
+    return "\n".join(
+        f"{robot}: {text}" for robot, text in zip(robots, said, strict=True)
+    )

@@ -1,0 +1,168 @@
+"""Scenery: what does not change in a recording, written once at its beginning."""
+
+import numpy as np
+
+from household.activity import ACTIVITY_NAMES
+from household.home.raster import rasterize
+from household.replay.colors import (
+    ACTIVITIES,
+    BELIEVED,
+    TRUE,
+    behavior_color,
+    packed,
+)
+from household.replay.stream import Stream
+from household.scenario import Scenario
+
+PICTURE_SCALE = 100.0
+"""Pixels per meter of the floor plan's picture."""
+
+LANE, SECOND = 1.0, 0.1
+"""Height of a robot's lane and width of a second in the picture of credit."""
+
+WINDOW = 40
+"""How far back the picture of credit reaches [s]."""
+
+ROBOT_LINES = ("#e66100", "#5d3a9b", "#1a85ff", "#4b8b3b", "#d41159", "#996633")
+"""Of robots in plots; over and over."""
+
+
+def names_of(scenario: Scenario) -> tuple[str, ...]:
+    """Everybody, people first and robots after them."""
+    return scenario.person_names + scenario.robot_names
+
+
+def set_scene(stream: Stream, scenario: Scenario, learns: bool) -> None:
+    """Writes everything that does not change.
+
+    Args:
+        stream: Where to.
+        scenario: The household.
+        learns: Whether learners will tell what they believe.
+    """
+    _home(stream, scenario)
+    _bodies(stream, scenario)
+    _series(stream, scenario, learns)
+    _lanes(stream, scenario)
+    _attention(stream, scenario)
+    _credit(stream, scenario, learns)
+
+
+def _home(stream: Stream, scenario: Scenario) -> None:
+    import rerun as rr
+
+    raster = rasterize(scenario.plan, PICTURE_SCALE)
+    # The world's y points up, the viewer's down.
+    up = [[1, 0, 0], [0, -1, 0], [0, 0, 1]]
+    stream.fix("world", rr.Transform3D(mat3x3=up))
+    scale, corner = 1 / raster.scale, [raster.left, -raster.top, 0.0]
+    stream.fix(
+        "plan",
+        rr.Transform3D(translation=corner, scale=scale),
+        rr.Image(raster.pixels, draw_order=-10.0).compress(jpeg_quality=92),
+    )
+
+
+def _bodies(stream: Stream, scenario: Scenario) -> None:
+    import rerun as rr
+
+    from household.environment import PERSON_RADIUS, ROBOT_RADIUS
+
+    for group, radius, order in (
+        ("people", PERSON_RADIUS, 30),
+        ("robots", ROBOT_RADIUS, 40),
+    ):
+        body = rr.Points2D.from_fields(radii=radius, show_labels=True, draw_order=order)
+        stream.fix(f"world/{group}", body)
+        arrow = rr.Arrows2D.from_fields(
+            radii=0.03, colors=[(20, 20, 20)], draw_order=order + 1
+        )
+        stream.fix(f"world/{group}/heading", arrow)
+    stream.fix(
+        "world/people/gaze", rr.LineStrips2D.from_fields(radii=0.012, draw_order=20.0)
+    )
+    touches = rr.Points2D.from_fields(radii=0.09, show_labels=True, draw_order=60.0)
+    stream.fix("world/touches", touches)
+    for entity, color, order in (("believed", BELIEVED, 52), ("true", TRUE, 51)):
+        radius = 0.02 if entity == "believed" else 0.05
+        line = rr.LineStrips2D.from_fields(
+            radii=radius, colors=packed([color]), draw_order=order
+        )
+        stream.fix(f"world/{entity}", line)
+
+
+def _series(stream: Stream, scenario: Scenario, learns: bool) -> None:
+    import rerun as rr
+
+    robots = list(scenario.robot_names)
+    lines = packed([ROBOT_LINES[i % len(ROBOT_LINES)] for i in range(len(robots))])
+    stream.fix("reward/sum", rr.SeriesLines(names=robots, colors=lines, widths=2))
+    stream.fix(
+        "reward/now",
+        rr.SeriesPoints(
+            names=[f"{r}: touch" for r in robots], colors=lines, marker_sizes=3
+        ),
+    )
+    stream.fix("mood", rr.SeriesLines(names=list(scenario.person_names), widths=2))
+    behaviors = list(scenario.behaviors)
+    colors = packed([behavior_color(i) for i in range(len(behaviors))])
+    for robot in robots if learns else ():
+        style = rr.SeriesLines(
+            names=behaviors, colors=colors, widths=2, interpolation_mode="StepAfter"
+        )
+        stream.fix(f"q/{robot}", style)
+
+
+def _lanes(stream: Stream, scenario: Scenario) -> None:
+    import rerun as rr
+
+    activities = list(ACTIVITY_NAMES)
+    for person in scenario.person_names:
+        style = rr.StateConfiguration(
+            values=activities, labels=activities, colors=packed(ACTIVITIES)
+        )
+        stream.fix(f"doing/{person}", style)
+    behaviors = list(scenario.behaviors)
+    colors = packed([behavior_color(i) for i in range(len(behaviors))])
+    for robot in scenario.robot_names:
+        style = rr.StateConfiguration(values=behaviors, labels=behaviors, colors=colors)
+        stream.fix(f"doing/{robot}", style)
+
+
+def _attention(stream: Stream, scenario: Scenario) -> None:
+    import rerun as rr
+
+    names = names_of(scenario)
+    n = len(names)
+    cells = rr.components.ImageFormat(n, n, color_model="RGB", channel_datatype="U8")
+    stream.fix("attention", rr.Image.from_fields(format=cells))
+    at = np.arange(n) + 0.5
+    rows = np.stack([np.full(n, -0.6), at], 1)
+    columns = np.stack([at, np.full(n, -0.45)], 1)
+    label = {"radii": 0.0, "colors": [(60, 60, 60)], "show_labels": True}
+    stream.fix("attention/observers", rr.Points2D(rows, labels=list(names), **label))
+    stream.fix("attention/observed", rr.Points2D(columns, labels=list(names), **label))
+
+
+def _credit(stream: Stream, scenario: Scenario, learns: bool) -> None:
+    """The axes of the picture of credit: time to the right, a lane for each robot."""
+    import rerun as rr
+
+    n = len(scenario.robots)
+    seconds = np.arange(0, WINDOW + 1, 10)
+    ticks = np.stack([-seconds * SECOND, np.full(len(seconds), n * LANE - 0.2)], 1)
+    label = {"radii": 0.0, "colors": [(60, 60, 60)], "show_labels": True}
+    texts = ["now", *(f"-{s} s" for s in seconds[1:])]
+    stream.fix("credit/axis", rr.Points2D(ticks, labels=texts, **label))
+    at = np.stack([np.full(n, -(WINDOW + 4) * SECOND), np.arange(n) * LANE], 1)
+    robots = list(scenario.robot_names)
+    stream.fix("credit/names", rr.Points2D(at, labels=robots, **label))
+    lanes = rr.LineStrips2D.from_fields(radii=0.06, draw_order=0.0)
+    stream.fix("credit/past/lanes", lanes)
+    touches = rr.Points2D.from_fields(radii=0.09, show_labels=True, draw_order=10.0)
+    stream.fix("credit/past/touches", touches)
+    true = rr.LineStrips2D.from_fields(radii=0.03, colors=packed([TRUE]), draw_order=3)
+    stream.fix("credit/past/true", true)
+    if learns:
+        believed = rr.LineStrips2D.from_fields(colors=packed([BELIEVED]), draw_order=4)
+        stream.fix("credit/past/believed", believed)

@@ -1,0 +1,69 @@
+"""The wrapper that records every episode of an environment."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pettingzoo.utils.wrappers import BaseParallelWrapper
+
+if TYPE_CHECKING:
+    from household.replay.recorder import Recorder
+
+
+class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
+    """Writes each episode of a household as a replay file of its own.
+
+    Args:
+        env: A parallel household, also inside other wrappers.
+        folder: Where ``episode_00000.rrd`` and so on are written.
+        watch: Shows the running episode in the viewer.
+        flush_every: Decisions between writes; a killed process loses no more.
+    """
+
+    def __init__(
+        self,
+        env: Any,  # noqa: ANN401 - PettingZoo's wrappers have no type information
+        folder: Path | str,
+        *,
+        watch: bool = False,
+        flush_every: int = 1000,
+    ) -> None:
+        super().__init__(env)
+        self._folder, self._watch, self._flush_every = Path(folder), watch, flush_every
+        self._episode = 0
+        self._recorder: Recorder | None = None
+
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> Any:  # noqa: ANN401 - PettingZoo's tuple
+        """Begins an episode and its file; an unfinished one is closed."""
+        from household.replay.recorder import Recorder
+
+        self._finish()
+        result = super().reset(seed=seed, options=options)
+        self._recorder = Recorder(
+            self.unwrapped,
+            self._folder / f"episode_{self._episode:05d}.rrd",
+            watch=self._watch,
+            flush_every=self._flush_every,
+        )
+        self._episode += 1
+        return result
+
+    def step(self, actions: dict[str, int]) -> Any:  # noqa: ANN401
+        """Makes a step and records it; the last one closes the file."""
+        result = super().step(actions)
+        if self._recorder is not None:
+            self._recorder.record()
+            if not self.agents:
+                self._finish()
+        return result
+
+    def close(self) -> None:
+        """Closes the file and the environment."""
+        self._finish()
+        super().close()
+
+    def _finish(self) -> None:
+        if self._recorder is not None:
+            self._recorder.close()
+            self._recorder = None
