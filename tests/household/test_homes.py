@@ -3,11 +3,17 @@
 import math
 
 import msgspec
+import numpy as np
 import pytest
 
 from household.errors import HouseholdError
 from household.home.check import checked, problems
 from household.home.floorplan import FloorPlan, Furniture, Wall, load_floorplan
+from household.home.routes import distance_to_segments
+from household.records import shipped
+
+HOMES = ("smart_room", "studio", "two_room_flat", "family_apartment", "villa")
+ACTIVITIES = {"working", "reading", "sleeping", "playing", "entering", "calling"}
 
 
 @pytest.fixture
@@ -94,3 +100,88 @@ def test_the_first_fault_is_raised_in_one_line_with_the_file(smart_room):
         "my.toml: regions[2].center: 'armchair' is outside the plan; "
         "allowed: a place within the walls"
     )
+
+
+def test_every_shipped_home_is_tested_here():
+    assert set(HOMES) == set(shipped("home/homes"))
+
+
+@pytest.mark.parametrize("name", HOMES)
+def test_a_shipped_home_has_no_fault_and_all_six_activities(name):
+    plan = load_floorplan(name)
+    assert plan.name == name
+    assert plan.description
+    assert problems(plan) == ()
+    assert {region.activity for region in plan.regions} == ACTIVITIES
+
+
+@pytest.mark.parametrize("name", HOMES)
+def test_people_enter_just_inside_a_front_door_that_stays_shut(name):
+    plan = load_floorplan(name)
+    front = next(door for door in plan.doors if not door.open)
+    (entrance,) = (r for r in plan.regions if r.activity == "entering")
+    middle = np.add(front.start, front.end) / 2
+    assert 0.3 < math.dist(entrance.center, middle) < 1.0
+
+
+@pytest.mark.parametrize("name", HOMES)
+def test_two_people_pass_in_every_doorway(name):
+    plan = load_floorplan(name)
+    for door in plan.doors:
+        if door.open:
+            assert math.dist(door.start, door.end) - plan.wall_thickness >= 4 * 0.25
+
+
+@pytest.mark.parametrize("name", HOMES)
+def test_all_furniture_is_within_the_outer_walls(name):
+    plan = load_floorplan(name)
+    for box in plan.furniture:
+        assert (np.array(box.corners) >= plan.lower).all(), box.name
+        assert (np.array(box.corners) <= plan.upper).all(), box.name
+
+
+@pytest.mark.parametrize(
+    ("name", "rooms", "regions"),
+    [("studio", 3, 6), ("two_room_flat", 5, 6), ("family_apartment", 8, 12)],
+)
+def test_homes_grow_with_the_people_in_them(name, rooms, regions):
+    plan = load_floorplan(name)
+    assert (len(plan.rooms), len(plan.regions)) == (rooms, regions)
+
+
+def test_the_villa_has_twelve_rooms_and_only_its_storeroom_is_shut():
+    plan = load_floorplan("villa")
+    assert len(plan.rooms) == 12
+    _, storeroom = (door for door in plan.doors if not door.open)
+    assert storeroom.start == (5.0, 6.2)
+
+
+@pytest.mark.parametrize("name", ["family_apartment", "villa"])
+def test_each_of_two_parents_and_two_children_has_a_bed(name):
+    plan = load_floorplan(name)
+    beds = {r.name for r in plan.regions if r.activity == "sleeping"}
+    assert beds == {f"{who}'s bed" for who in ("mother", "father", "son", "daughter")}
+
+
+def sees(plan: FloorPlan, a: str, b: str) -> bool:
+    """Whether the straight line between two regions' centers meets nothing opaque."""
+    p, q = (np.array(plan.region(name).center) for name in (a, b))
+    line = p + np.linspace(0.0, 1.0, 2000)[:, None] * (q - p)
+    return bool(distance_to_segments(line, plan.opaque_segments).min() > 0.01)
+
+
+@pytest.mark.parametrize(
+    ("name", "a", "b", "visible"),
+    [
+        ("smart_room", "sofa", "phone", True),
+        ("studio", "sofa", "bed", False),  # the bookshelf stands between them
+        ("studio", "rug", "bed", True),
+        ("two_room_flat", "bed", "kitchen phone", False),
+        ("family_apartment", "entrance", "hall phone", True),
+        ("family_apartment", "son's bed", "daughter's bed", False),
+        ("villa", "entrance", "library", False),
+        ("villa", "entrance", "rug", True),  # through two doorways in line
+    ],
+)
+def test_walls_and_tall_furniture_hide_people_doorways_show_them(name, a, b, visible):
+    assert sees(load_floorplan(name), a, b) is visible

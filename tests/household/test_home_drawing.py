@@ -1,0 +1,69 @@
+"""Pictures of homes."""
+
+import subprocess
+import sys
+
+import pytest
+
+from household.errors import HouseholdError
+from household.home.drawing import ACTIVITY_COLORS, draw, draw_on
+from household.home.floorplan import load_floorplan
+
+
+@pytest.fixture
+def flat():
+    return load_floorplan("two_room_flat")
+
+
+def test_a_picture_names_rooms_activities_regions_and_furniture(flat, tmp_path):
+    draw(flat, tmp_path / "flat.svg")
+    text = (tmp_path / "flat.svg").read_text()
+    for name in ("LIVING ROOM", "sleeping", "study nook", "wardrobe", "2 m"):
+        assert name in text
+
+
+def test_a_picture_holds_no_date_and_no_chance(flat, tmp_path):
+    draw(flat, tmp_path / "one.svg")
+    draw(flat, tmp_path / "two.svg")
+    assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "two.svg").read_bytes()
+
+
+def test_a_picture_can_be_a_png(flat, tmp_path):
+    draw(flat, tmp_path / "flat.png")
+    assert (tmp_path / "flat.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("name", ["flat.xyz", "nowhere/flat.svg"])
+def test_a_picture_that_cannot_be_written_is_named(flat, tmp_path, name):
+    with pytest.raises(HouseholdError, match=name):
+        draw(flat, tmp_path / name)
+
+
+def test_tall_furniture_is_darker_than_low_furniture(flat):
+    from matplotlib.figure import Figure
+
+    axes = Figure().add_subplot()
+    draw_on(flat, axes)
+    boxes = axes.patches[len(flat.rooms) :][: len(flat.furniture)]
+    shades = {
+        tall: {
+            sum(patch.get_facecolor()[:3])
+            for box, patch in zip(flat.furniture, boxes, strict=True)
+            if box.tall is tall
+        }
+        for tall in (True, False)
+    }
+    (dark,), (light,) = shades[True], shades[False]
+    assert dark < light
+
+
+def test_every_activity_has_a_color_of_its_own():
+    assert len(set(ACTIVITY_COLORS.values())) == len(ACTIVITY_COLORS) == 7
+
+
+def test_matplotlib_is_loaded_only_when_something_is_drawn():
+    code = "import household.home.drawing, sys; print('matplotlib' in sys.modules)"
+    ran = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert ran.stdout.strip() == "False"
