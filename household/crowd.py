@@ -23,6 +23,9 @@ PASSED = 0.15
 ARRIVED = 0.05
 """Distance at which a walk ends [m]."""
 
+PROGRESS = 0.05
+"""How much nearer to its waypoint a walker must come not to be stuck [m]."""
+
 STUCK = 2.0
 """Time without progress after which a walker tries another way [s]."""
 
@@ -78,6 +81,7 @@ class Crowd:
         self._ways: list[Waypoints] = [[] for _ in range(n)]
         self._waypoint = np.zeros((n, 2))
         self._pace = np.zeros(n)
+        self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._sidesteps = 0
         self._settled: list[tuple[float, float] | None] = [None] * n
@@ -94,7 +98,6 @@ class Crowd:
         self.heading = heading.copy()
         self.gaze = heading.copy()
         self._pace[:] = 0.0
-        self._stalled[:] = 0.0
         self._sidesteps = 0
         self._ways = [[] for _ in self._ways]
         self._settled = [None] * len(self._ways)
@@ -136,10 +139,8 @@ class Crowd:
             return False
         if not self.walks(i):
             self.walk_began[i] = now
-        self._ways[i] = way
-        self._waypoint[i] = way[0]
+        self._take(i, way)
         self._pace[i] = self._speed[i]
-        self._stalled[i] = 0.0
         self._settled[i] = None
         return True
 
@@ -162,28 +163,35 @@ class Crowd:
         self._moving = bool(np.abs(self.position - before).max() > 1e-6)
         for i in np.flatnonzero(self._pace):
             self.heading[i] = math.atan2(velocity[i, 1], velocity[i, 0])
-            self._progress(int(i), before[i])
+            self._progress(int(i))
 
-    def _progress(self, i: int, before: Array) -> None:
+    def _progress(self, i: int) -> None:
         """Passes waypoints, ends the walk at the last, and notices when stuck."""
         way = self._ways[i]
         left = math.dist(self.position[i], way[0])
         if left <= (PASSED if len(way) > 1 else ARRIVED):
             self._pass_waypoint(i)
             return
-        gained = math.dist(before, way[0]) - left
-        slow = gained < 0.1 * self._speed[i] * self._period
-        self._stalled[i] = self._stalled[i] + self._period if slow else 0.0
+        if left < self._nearest[i] - PROGRESS:
+            self._nearest[i] = left
+            self._stalled[i] = 0.0
+            return
+        self._stalled[i] += self._period
         if self._stalled[i] >= STUCK:
             self._try_another_way(i)
 
     def _pass_waypoint(self, i: int) -> None:
-        way = self._ways[i]
-        way.pop(0)
-        if way:
-            self._waypoint[i] = way[0]
+        if len(self._ways[i]) > 1:
+            self._take(i, self._ways[i][1:])
         else:
             self.halt(i)
+
+    def _take(self, i: int, way: Waypoints) -> None:
+        """Heads for the first waypoint of a way."""
+        self._ways[i] = way
+        self._waypoint[i] = way[0]
+        self._nearest[i] = math.inf
+        self._stalled[i] = 0.0
 
     def _try_another_way(self, i: int) -> None:
         """Settles for a place near the goal, or steps aside and plans anew."""
@@ -201,8 +209,7 @@ class Crowd:
         way = self._routes.plan(self.position[i], aside)
         way += self._routes.plan(np.array(way[-1]), np.array(goal)) if way else []
         if way:
-            self._ways[i] = way
-            self._waypoint[i] = way[0]
+            self._take(i, way)
 
     def turn_heads(self, target: Array, most: Array) -> None:
         """Turns every head towards where it wants to look.

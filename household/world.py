@@ -12,8 +12,12 @@ from numpy.typing import NDArray
 from pymunk.batch import BodyFields
 
 from household.home.floorplan import FloorPlan
+from household.solid import keep_out
 
 Array = NDArray[np.float64]
+
+SLOP = 0.002
+"""How deep touching bodies may overlap [m]; the engine's own 0.1 is made for pixels."""
 
 
 class World:
@@ -27,7 +31,14 @@ class World:
 
     def __init__(self, plan: FloorPlan, radius: Array, mass: Array) -> None:
         self.space = pymunk.Space()
+        self.space.collision_slop = SLOP
         self._add_home(plan)
+        self._radius = np.asarray(radius, dtype=np.float64)
+        self._solid = plan.solid_segments
+        walls = len(plan.wall_segments)
+        self._thickness = np.zeros(len(self._solid))
+        self._thickness[:walls] = plan.wall_thickness / 2
+        self._position = np.zeros((len(radius), 2))
         self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
         self._read_buffer = pymunk.batch.Buffer()
         self._write_buffer = pymunk.batch.Buffer()
@@ -66,8 +77,9 @@ class World:
             body.position = float(x), float(y)
             body.velocity = 0.0, 0.0
             self.space.reindex_shapes_for_body(body)
+        self._position = self._read()
 
-    def position(self) -> Array:
+    def _read(self) -> Array:
         """Where every body is, a new array of shape (n, 2) [m]."""
         self._read_buffer.clear()
         pymunk.batch.get_space_bodies(
@@ -93,4 +105,11 @@ class World:
         )
         for _ in range(ticks):
             self.space.step(tick)
-        return self.position()
+        after = self._read()
+        sunk = keep_out(
+            self._position, after, self._radius, self._solid, self._thickness
+        )
+        for i in np.flatnonzero(sunk):
+            self._bodies[i].position = float(after[i, 0]), float(after[i, 1])
+        self._position = after
+        return after

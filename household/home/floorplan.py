@@ -6,6 +6,7 @@ in the code, counter-clockwise from the x axis.
 """
 
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Annotated, Literal
 
@@ -144,16 +145,15 @@ class FloorPlan(Record, frozen=True, kw_only=True):
         return np.array(walls + closed, dtype=np.float64)
 
     @property
+    def solid_segments(self) -> NDArray[np.float64]:
+        """What blocks the way: walls, closed doors, sides of furniture, (n, 4)."""
+        return np.vstack([self.wall_segments, _sides(self.furniture)])
+
+    @property
     def opaque_segments(self) -> NDArray[np.float64]:
         """What blocks sight: walls, closed doors, sides of tall furniture, (n, 4)."""
-        sides = [
-            (*box.corners[i - 1], *box.corners[i])
-            for box in self.furniture
-            if box.tall
-            for i in range(4)
-        ]
-        walls = self.wall_segments
-        return np.vstack([walls, np.array(sides, dtype=np.float64).reshape(-1, 4)])
+        tall = [box for box in self.furniture if box.tall]
+        return np.vstack([self.wall_segments, _sides(tall)])
 
     @property
     def region_circles(self) -> NDArray[np.float64]:
@@ -166,6 +166,12 @@ class FloorPlan(Record, frozen=True, kw_only=True):
             if region.name == name:
                 return region
         return next((r for r in self.regions if r.activity == name), None)
+
+
+def _sides(boxes: Iterable[Furniture]) -> NDArray[np.float64]:
+    """The sides of boxes, four rows of x1, y1, x2, y2 for each [m]."""
+    sides = [(*box.corners[i - 1], *box.corners[i]) for box in boxes for i in range(4)]
+    return np.array(sides, dtype=np.float64).reshape(-1, 4)
 
 
 @lru_cache(maxsize=64)

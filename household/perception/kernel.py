@@ -17,7 +17,7 @@ NEAREST = 0.3
 
 
 @njit(cache=True)
-def _crosses(ax, ay, bx, by, segment):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
+def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
     """Whether the line from a to b crosses a segment (x1, y1, x2, y2)."""
     x1, y1, x2, y2 = segment
     dx, dy = bx - ax, by - ay
@@ -47,7 +47,7 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     for i in range(n):
         for j in range(i + 1, n):
             for k in range(segments.shape[0]):
-                if _crosses(
+                if crosses(
                     position[i, 0],
                     position[i, 1],
                     position[j, 0],
@@ -93,7 +93,7 @@ def sight(
 
 
 @njit(cache=True)
-def attention(  # noqa: PLR0913, PLR0917 - one array for each factor of the formula
+def attention(
     position: Array,
     sees: Mask,
     angle: Array,
