@@ -64,7 +64,9 @@ def draw(plan: FloorPlan, path: Path | str) -> None:
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "home"}):
         figure = Figure(figsize=(SCALE * width, SCALE * height), dpi=160)
         draw_on(plan, figure.add_axes((0.0, 0.0, 1.0, 1.0)))
-        metadata = {"Date": None} if Path(path).suffix == ".svg" else None
+        metadata = (
+            dict.fromkeys(("Date", "Creator")) if Path(path).suffix == ".svg" else None
+        )
         try:
             figure.savefig(path, metadata=metadata)
         except (OSError, ValueError) as error:

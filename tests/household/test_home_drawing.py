@@ -1,13 +1,16 @@
 """Pictures of homes."""
 
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from household.errors import HouseholdError
 from household.home.drawing import ACTIVITY_COLORS, draw, draw_on
 from household.home.floorplan import load_floorplan
+from household.records import shipped
 
 
 @pytest.fixture
@@ -67,3 +70,12 @@ def test_matplotlib_is_loaded_only_when_something_is_drawn():
         [sys.executable, "-c", code], capture_output=True, text=True, check=True
     )
     assert ran.stdout.strip() == "False"
+
+
+def test_the_documentation_shows_every_shipped_home():
+    docs = Path(__file__).parents[2] / "docs"
+    text = (docs / "homes.md").read_text(encoding="utf-8")
+    for name in shipped("home/homes"):
+        assert f"\n## {name}\n" in text
+    for picture in re.findall(r"\((pictures/.+?)\)", text):
+        assert (docs / picture).is_file(), picture
