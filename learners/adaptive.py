@@ -49,9 +49,9 @@ class AdaptiveAnalogy(Canonical):
     prior_weight: float = 2.0
     noise: float = 0.5
     silence: float = 0.1
-    _told: dict[tuple[Hashable, int], _Sums] = field(
+    _told: dict[Hashable, dict[int, _Sums]] = field(
         default_factory=dict, init=False, repr=False
-    )  # (row, behavior) -> touches, sum of their values
+    )  # row -> behavior -> touches, sum of their values
     _agreed: dict[Hashable, _Sums] = field(
         default_factory=dict, init=False, repr=False
     )  # giver -> sum of value * prediction, sum of prediction ** 2
@@ -72,23 +72,25 @@ class AdaptiveAnalogy(Canonical):
     def trust_in(self, giver: Hashable) -> float:
         """How far a swap with this actor is to be trusted, in [0, 1]."""
         everybody = _slope(self._agreed_all, self.prior_trust, self.prior_weight)
-        agreed = self._agreed.get(giver)
-        if agreed is None:
-            return everybody
-        return _slope(agreed, everybody, self.prior_weight)
+        return self._slope_of(self._agreed.get(giver), everybody)
 
     def trust(self, state: Hashable) -> float:
         """How far the analogs of a state are to be trusted, in [0, 1]."""
-        return min(map(self.trust_in, as_state(state).entities), default=1.0)
+        everybody = _slope(self._agreed_all, self.prior_trust, self.prior_weight)
+        known = [self._agreed.get(e) for e in as_state(state).entities]
+        return min(
+            (self._slope_of(agreed, everybody) for agreed in known), default=everybody
+        )
 
     def values(self, table: QTable, state: Hashable) -> Sequence[float]:
         """The state's own values, drawn towards its class's."""
         trust = self.trust(state)
+        told = self._told.get(state, {})
         both = zip(
             table.values(state), table.values(self.class_row(state)), strict=True
         )
         return [
-            pooled(own, self._touches(state, action), shared, trust, self.noise)
+            pooled(own, told.get(action, _NOTHING)[0], shared, trust, self.noise)
             for action, (own, shared) in enumerate(both)
         ]
 
@@ -108,10 +110,12 @@ class AdaptiveAnalogy(Canonical):
         self, entry: Experience, feedback: Feedback | None, weight: float
     ) -> None:
         """Compare a touch, or a silence, with what analogous states were told."""
+        if feedback is None and not entry.attended:
+            return
         prediction = self._others(entry.state, entry.action)
         weight = min(weight, 1.0)
         if feedback is None:
-            if entry.attended and prediction is not None:
+            if prediction is not None:
                 self._agreed_all[1] += self.silence * weight * prediction**2
             return
         if prediction is not None:
@@ -120,24 +124,27 @@ class AdaptiveAnalogy(Canonical):
                 sums[0] += weight * feedback.value * prediction
                 sums[1] += weight * prediction**2
         for row in (entry.state, self.class_row(entry.state)):
-            told = self._told.setdefault((row, entry.action), [0.0, 0.0])
+            behaviors = self._told.setdefault(row, {})
+            told = behaviors.setdefault(entry.action, [0.0, 0.0])
             told[0] += weight
             told[1] += weight * feedback.value
 
-    def _touches(self, row: Hashable, action: int) -> float:
-        told = self._told.get((row, action))
-        return 0.0 if told is None else told[0]
+    def _slope_of(self, agreed: _Sums | None, everybody: float) -> float:
+        if agreed is None:
+            return everybody
+        return _slope(agreed, everybody, self.prior_weight)
 
     def _others(self, state: Hashable, action: int) -> float | None:
         """Mean of what the other states of the class were told; None if nothing."""
-        shared = self._told.get((self.class_row(state), action))
+        shared = self._told.get(self.class_row(state), {}).get(action)
         if shared is None:
             return None
-        own = self._told.get((state, action), (0.0, 0.0))
+        own = self._told.get(state, {}).get(action, _NOTHING)
         touches = shared[0] - own[0]
         return (shared[1] - own[1]) / touches if touches > _LEAST_TOUCHES else None
 
 
+_NOTHING = (0.0, 0.0)  # touches, sum of their values
 _LEAST_TOUCHES = 1e-9  # below, the difference is rounding
 
 

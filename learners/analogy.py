@@ -5,8 +5,9 @@ Source: section 3.2 of the paper, "Using Analogy to Accelerate Learning".
 
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from itertools import combinations
-from typing import Any, Protocol, Self, runtime_checkable
+from typing import Any, Protocol, Self, TypeGuard
 
 from learners.checks import check_range
 from learners.errors import StateError
@@ -15,7 +16,6 @@ from learners.qtable import QTable
 from learners.saving import DERIVED, saved
 
 
-@runtime_checkable
 class State(Hashable, Protocol):
     """What analogy asks of a state."""
 
@@ -37,13 +37,24 @@ class State(Hashable, Protocol):
         ...
 
 
+def is_state(state: Hashable) -> TypeGuard[State]:
+    """Whether a state follows the protocol."""
+    return _follows(type(state))
+
+
+@cache  # far quicker than looking at every state anew
+def _follows(kind: type) -> bool:
+    asked = ("entities", "swapped", "without", "canonical")
+    return all(hasattr(kind, name) for name in asked)
+
+
 def as_state(state: Hashable) -> State:
     """The state, checked to follow the protocol.
 
     Raises:
         StateError: if it does not.
     """
-    if isinstance(state, State):
+    if is_state(state):
         return state
     raise StateError(
         f"analogy needs entities, swapped, without and canonical of a state; "

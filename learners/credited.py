@@ -99,7 +99,11 @@ class CreditedLearner(ABC):
                 f"behaviors 0 .. {self.n_behaviors - 1}"
             )
         self.history.check(experience)
-        exploratory = experience.chosen and self._was_exploratory(experience)
+        exploratory = (
+            self.credit.shares_error  # nobody else asks
+            and experience.chosen
+            and self._was_exploratory(experience)
+        )
         self.history.append(experience, exploratory=exploratory)
         self.network.count(experience.state, experience.action, experience.next_state)
         self._absorb(self._assigned(experience.feedback))

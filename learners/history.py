@@ -38,7 +38,7 @@ class History:
             walk through a home, so that no touch can be about what is forgotten.
         entries: the entries.
         exploratory: for each entry, whether its behavior was chosen against the
-            values of the time (Watkins' trace is cut there).
+            values of the time (Watkins' trace is cut there, and asks for it alone).
     """
 
     horizon: float = 60.0

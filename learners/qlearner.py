@@ -150,9 +150,9 @@ class QLearner(CreditedLearner):
 
     def _change(self, target: Target, row: Hashable, strength: float) -> Change:
         action, share = target.action, target.weight * strength
-        visits = self.table.visits(row)[action]
-        rate = self.rate(self.table.updates, visits, target.factors)
-        error = td_error(self.table.values(row)[action], target.value)
+        values, visits = self.table.row(row)
+        rate = self.rate(self.table.updates, visits[action], target.factors)
+        error = td_error(values[action], target.value)
         step = rate * share * self._pace(error, target)
         return Change(row, action, target.value, step, min(share, 1.0))
 

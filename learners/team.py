@@ -9,7 +9,7 @@ from typing import Any, Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.analogy import State
+from learners.analogy import is_state
 from learners.catalog import make_learner
 from learners.checks import check_range
 from learners.errors import ParameterError, UnknownRobotError
@@ -29,7 +29,7 @@ def seen_from(state: Hashable, robot: Hashable, other: Hashable) -> Hashable:
     Robots are swapped like any two entities; a state that does not know swaps is taken
     to look the same to all.
     """
-    return state.swapped(robot, other) if isinstance(state, State) else state
+    return state.swapped(robot, other) if is_state(state) else state
 
 
 @saved
