@@ -51,12 +51,12 @@ ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
 
 
 def heat(values: NDArray[np.float64]) -> Bytes:
-    """Shares in [0, 1] as colors from dark over red to light yellow.
+    """Shares in [0, 1] as colors from nearly white over blue to nearly black.
 
     Returns:
         The same shape with three more for red, green and blue.
     """
-    stops = np.array([[22, 20, 40], [120, 28, 109], [229, 92, 48], [252, 255, 164]])
+    stops = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43]])
     return np.stack(
-        [np.interp(values, (0.0, 0.33, 0.66, 1.0), stops[:, c]) for c in range(3)], -1
+        [np.interp(values, (0.0, 0.3, 0.7, 1.0), stops[:, c]) for c in range(3)], -1
     ).astype(np.uint8)

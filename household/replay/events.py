@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from household.people.feedback import Feedback
 from household.replay.colors import CARESS, TAP, packed
 from household.replay.scenery import LANE, SECOND
 from household.replay.stream import Stream, exact, words
@@ -112,8 +113,7 @@ class Events:
         for touch in snapshot.touches:
             self._touches.append((snapshot, touch))
             spot = self._spot(touch.robot, self._now)
-            mark = (*spot, touch.feedback)
-            self._marks["touches"].items.append((self._now, mark))
+            self._marks["touches"].items.append((self._now, (spot, touch.feedback)))
             cause = touch.cause
             line = (spot, self._spot(cause.robot, cause.decision))
             self._marks["true"].items.append((self._now, line))
@@ -135,7 +135,8 @@ class Events:
             self._send_beliefs(stream)
         self._touches.clear()
         self._beliefs.clear()
-        self._first = self._now + 1
+        # What is believed of this moment may still come.
+        self._first = self._now
 
     def _decision(self, time: float) -> int:
         """The decision at which something began [s]."""
@@ -160,17 +161,12 @@ class Events:
                 continue
             flat = [item for group in groups for item in group]
             sizes = [len(group) for group in groups]
-            columns: Any
-            if name == "touches":
-                columns = rr.Points2D.columns(
-                    positions=np.array([(x, y) for x, y, _ in flat]).reshape(-1, 2),
-                    colors=packed([_color(touch.value) for _, _, touch in flat]),
-                    labels=[f"{t.giver}: {t.kind} {t.value:+.2f}" for _, _, t in flat],
-                )
-            else:
-                columns = rr.LineStrips2D.columns(strips=flat)
             moments = self._moments(decisions)
-            stream.send(f"world/{name}", moments, columns.partition(sizes))
+            if name == "touches":
+                _send_touch_marks(stream, moments, flat, sizes)
+            else:
+                lines = rr.LineStrips2D.columns(strips=flat).partition(sizes)
+                stream.send(f"world/{name}", moments, lines)
 
     def _send_touches(self, stream: Stream) -> None:
         import rerun as rr
@@ -189,7 +185,6 @@ class Events:
         points = rr.Points2D.columns(
             positions=at,
             colors=packed([_color(f.value) for f in felt]),
-            labels=[f.giver for f in felt],
         )
         stream.send("credit/past/touches", moments, points)
         arcs = [
@@ -261,6 +256,27 @@ class Events:
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
+
+
+def _send_touch_marks(
+    stream: Stream,
+    moments: tuple[NDArray[np.int64], Array],
+    marks: Sequence[tuple[Point, Feedback]],
+    sizes: Sequence[int],
+) -> None:
+    """Dots where robots are touched; who touches and how stands above."""
+    import rerun as rr
+
+    spots = np.array([spot for spot, _ in marks]).reshape(-1, 2)
+    dots = rr.Points2D.columns(
+        positions=spots, colors=packed([_color(felt.value) for _, felt in marks])
+    )
+    stream.send("world/touches", moments, dots.partition(sizes))
+    texts = rr.Points2D.columns(
+        positions=spots + np.array([0.0, 0.5]),
+        labels=[f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks],
+    )
+    stream.send("world/touches/texts", moments, texts.partition(sizes))
 
 
 def touch_columns(touches: Sequence[Touch]) -> list[Any]:

@@ -23,12 +23,15 @@ def layout(scenario: Scenario, learns: bool) -> "rrb.Blueprint":
     import rerun.blueprint as rrb
 
     left = rrb.Vertical(
-        _attention(scenario), _situations(), _events(), row_shares=[3, 1.6, 3]
+        _attention(scenario), _situations(), _moods(scenario), row_shares=[3, 1.2, 2]
     )
-    right = rrb.Vertical(*(_values(scenario) if learns else ()), _moods(scenario))
-    above = rrb.Horizontal(left, _plan(scenario), right, column_shares=[3, 5, 3])
+    values = _values(scenario) if learns else []
+    shares = [2.0] * len(values) + [2.5]
+    right = rrb.Vertical(*values, _events(), row_shares=shares)
+    above = rrb.Horizontal(left, _plan(scenario), right, column_shares=[3, 6, 4])
+    rewards = rrb.Vertical(*_rewards(), row_shares=[2, 3])
     below = rrb.Horizontal(
-        _rewards(), _doings(scenario), _credit(scenario), column_shares=[3, 4, 4]
+        rewards, _doings(scenario), _credit(scenario), column_shares=[3, 4, 6]
     )
     fps = 10.0 / scenario.decision_period
     return rrb.Blueprint(
@@ -80,7 +83,11 @@ def _situations() -> Any:  # noqa: ANN401
 def _events() -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
-    return rrb.TextLogView(origin="/events", name="Touches and credit")
+    return rrb.TextLogView(
+        origin="/events",
+        name="Touches and credit",
+        columns=rrb.TextLogColumns(text_log_columns=["Body"]),
+    )
 
 
 def _values(scenario: Scenario) -> list[Any]:
@@ -103,20 +110,38 @@ def _moods(scenario: Scenario) -> Any:  # noqa: ANN401
     )
 
 
-def _rewards() -> Any:  # noqa: ANN401
+def _rewards() -> list[Any]:
     import rerun.blueprint as rrb
 
-    return rrb.TimeSeriesView(
-        origin="/reward", name="Touches and their sum", plot_legend=rrb.Corner2D.LeftTop
-    )
+    legend = rrb.PlotLegend(visible=False)
+    return [
+        rrb.TimeSeriesView(
+            origin="/reward/now",
+            name="Touches",
+            plot_legend=legend,
+            axis_y=rrb.ScalarAxis(range=(-1.1, 1.1)),
+        ),
+        rrb.TimeSeriesView(
+            origin="/reward/sum",
+            name="Sum of touches",
+            plot_legend=rrb.Corner2D.LeftTop,
+        ),
+    ]
 
 
 def _doings(scenario: Scenario) -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
     lanes = [f"+ /doing/{name}" for name in names_of(scenario)]
+    boundary = rrb.TimeRangeBoundary
+    around = rrb.TimeRange(
+        boundary.cursor_relative(seq=-40), boundary.cursor_relative(seq=5)
+    )
     return rrb.StateTimelineView(
-        origin="/doing", contents=lanes, name="Activities and behaviors"
+        origin="/doing",
+        contents=lanes,
+        name="Activities and behaviors",
+        time_view=rrb.TimeAxis(view_range=around),
     )
 
 
@@ -144,7 +169,7 @@ def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
         background=PAPER,
         visual_bounds=rrb.VisualBounds2D(
             x_range=[-(WINDOW + 9) * SECOND, 2 * SECOND],
-            y_range=[-0.6 * LANE, (n - 0.1) * LANE],
+            y_range=[-0.7 * LANE, (n - 0.2) * LANE],
         ),
         time_ranges=ranges,
     )

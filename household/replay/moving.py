@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES
+from household.environment import PERSON_RADIUS, ROBOT_RADIUS
 from household.perception.cone import RAYS, gaze_cones
 from household.replay.colors import ACTIVITIES, behavior_color, heat, packed
 from household.replay.rows import NAMES, Rows
@@ -11,7 +12,7 @@ from household.replay.scenery import LANE, SECOND
 from household.replay.stream import Stream, exact
 from household.scenario import Scenario
 
-ARROW = 0.4
+ARROW = 0.35
 """Length of the arrow that shows where a body faces [m]."""
 
 Mask = NDArray[np.bool_]
@@ -53,7 +54,7 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
     n = len(scenario.people)
-    _send_bodies(stream, "world/people", rows, slice(0, n))
+    _send_bodies(stream, "world/people", rows, slice(0, n), PERSON_RADIUS)
     mask = changes(rows.activity)
     colors = packed(ACTIVITIES)[rows.activity[mask]]
     labels = [
@@ -61,8 +62,10 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
         for roles in rows.activity[mask]
         for name, role in zip(scenario.person_names, roles, strict=True)
     ]
-    style = rr.Points2D.columns(colors=colors.reshape(-1), labels=labels)
+    style = rr.Points2D.columns(colors=colors.reshape(-1))
     _send_groups(stream, "world/people", rows, mask, style, n)
+    texts = rr.Points2D.columns(labels=labels)
+    _send_groups(stream, "world/people/names", rows, mask, texts, n)
     mask = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
     cones = gaze_cones(
         rows.position[mask, :n],
@@ -80,7 +83,8 @@ def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
     n = len(scenario.robots)
-    _send_bodies(stream, "world/robots", rows, slice(len(scenario.people), None))
+    robots = slice(len(scenario.people), None)
+    _send_bodies(stream, "world/robots", rows, robots, ROBOT_RADIUS)
     mask = changes(rows.behavior)
     names = [*scenario.behaviors, "-"]
     labels = [
@@ -89,11 +93,16 @@ def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:
         for name, behavior in zip(scenario.robot_names, behaviors, strict=True)
     ]
     colors = packed([behavior_color(b) for b in rows.behavior[mask].reshape(-1)])
-    style = rr.Points2D.columns(colors=colors, labels=labels)
+    style = rr.Points2D.columns(colors=colors)
     _send_groups(stream, "world/robots", rows, mask, style, n)
+    texts = rr.Points2D.columns(labels=labels)
+    _send_groups(stream, "world/robots/names", rows, mask, texts, n)
 
 
-def _send_bodies(stream: Stream, entity: str, rows: Rows, who: slice) -> None:
+def _send_bodies(
+    stream: Stream, entity: str, rows: Rows, who: slice, radius: float
+) -> None:
+    """Where bodies are and face; their names stand below them."""
     import rerun as rr
 
     mask = changes(rows.position[:, who], rows.heading[:, who])
@@ -103,6 +112,8 @@ def _send_bodies(stream: Stream, entity: str, rows: Rows, who: slice) -> None:
     n = rows.position[0, who].shape[0]
     points = rr.Points2D.columns(positions=position)
     _send_groups(stream, entity, rows, mask, points, n)
+    names = rr.Points2D.columns(positions=position - np.array([0.0, radius]))
+    _send_groups(stream, f"{entity}/names", rows, mask, names, n)
     heading = rr.Arrows2D.columns(origins=position, vectors=arrows)
     _send_groups(stream, f"{entity}/heading", rows, mask, heading, n)
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from household.activity import ACTIVITY_NAMES
+from household.environment import PERSON_RADIUS, ROBOT_RADIUS
 from household.home.raster import rasterize
 from household.replay.colors import (
     ACTIVITIES,
@@ -17,8 +18,11 @@ from household.scenario import Scenario
 PICTURE_SCALE = 100.0
 """Pixels per meter of the floor plan's picture."""
 
-LANE, SECOND = 1.0, 0.1
+LANE, SECOND = 1.6, 0.1
 """Height of a robot's lane and width of a second in the picture of credit."""
+
+WHITE = (255, 255, 255)
+GRAY = (235, 235, 235)
 
 WINDOW = 40
 """How far back the picture of credit reaches [s]."""
@@ -41,7 +45,7 @@ def set_scene(stream: Stream, scenario: Scenario, learns: bool) -> None:
         learns: Whether learners will tell what they believe.
     """
     _home(stream, scenario)
-    _bodies(stream, scenario)
+    _bodies(stream)
     _series(stream, scenario, learns)
     _lanes(stream, scenario)
     _attention(stream, scenario)
@@ -63,30 +67,29 @@ def _home(stream: Stream, scenario: Scenario) -> None:
     )
 
 
-def _bodies(stream: Stream, scenario: Scenario) -> None:
+def _bodies(stream: Stream) -> None:
     import rerun as rr
 
-    from household.environment import PERSON_RADIUS, ROBOT_RADIUS
-
-    for group, radius, order in (
-        ("people", PERSON_RADIUS, 30),
-        ("robots", ROBOT_RADIUS, 40),
-    ):
-        body = rr.Points2D.from_fields(radii=radius, show_labels=True, draw_order=order)
+    names = rr.Points2D.from_fields(
+        radii=0.0, colors=[WHITE], show_labels=True, draw_order=70.0
+    )
+    groups = (("people", PERSON_RADIUS, 30.0), ("robots", ROBOT_RADIUS, 40.0))
+    for group, radius, order in groups:
+        body = rr.Points2D.from_fields(radii=radius, draw_order=order)
         stream.fix(f"world/{group}", body)
         arrow = rr.Arrows2D.from_fields(
-            radii=0.03, colors=[(20, 20, 20)], draw_order=order + 1
+            radii=0.025, colors=[(20, 20, 20)], draw_order=order + 1
         )
         stream.fix(f"world/{group}/heading", arrow)
-    stream.fix(
-        "world/people/gaze", rr.LineStrips2D.from_fields(radii=0.012, draw_order=20.0)
-    )
-    touches = rr.Points2D.from_fields(radii=0.09, show_labels=True, draw_order=60.0)
+        stream.fix(f"world/{group}/names", names)
+    gaze = rr.LineStrips2D.from_fields(radii=0.012, draw_order=20.0)
+    stream.fix("world/people/gaze", gaze)
+    touches = rr.Points2D.from_fields(radii=0.09, draw_order=60.0)
     stream.fix("world/touches", touches)
-    for entity, color, order in (("believed", BELIEVED, 52), ("true", TRUE, 51)):
-        radius = 0.02 if entity == "believed" else 0.05
+    stream.fix("world/touches/texts", names)
+    for entity, color, radius in (("true", TRUE, 0.05), ("believed", BELIEVED, 0.02)):
         line = rr.LineStrips2D.from_fields(
-            radii=radius, colors=packed([color]), draw_order=order
+            radii=radius, colors=packed([color]), draw_order=55.0 - 100 * radius
         )
         stream.fix(f"world/{entity}", line)
 
@@ -139,7 +142,7 @@ def _attention(stream: Stream, scenario: Scenario) -> None:
     at = np.arange(n) + 0.5
     rows = np.stack([np.full(n, -0.6), at], 1)
     columns = np.stack([at, np.full(n, -0.45)], 1)
-    label = {"radii": 0.0, "colors": [(60, 60, 60)], "show_labels": True}
+    label = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
     stream.fix("attention/observers", rr.Points2D(rows, labels=list(names), **label))
     stream.fix("attention/observed", rr.Points2D(columns, labels=list(names), **label))
 
@@ -150,8 +153,8 @@ def _credit(stream: Stream, scenario: Scenario, learns: bool) -> None:
 
     n = len(scenario.robots)
     seconds = np.arange(0, WINDOW + 1, 10)
-    ticks = np.stack([-seconds * SECOND, np.full(len(seconds), n * LANE - 0.2)], 1)
-    label = {"radii": 0.0, "colors": [(60, 60, 60)], "show_labels": True}
+    ticks = np.stack([-seconds * SECOND, np.full(len(seconds), (n - 0.42) * LANE)], 1)
+    label = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
     texts = ["now", *(f"-{s} s" for s in seconds[1:])]
     stream.fix("credit/axis", rr.Points2D(ticks, labels=texts, **label))
     at = np.stack([np.full(n, -(WINDOW + 4) * SECOND), np.arange(n) * LANE], 1)

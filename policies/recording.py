@@ -1,0 +1,118 @@
+"""Replays that also tell what the learners believe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+from policies.learning import Entry, Home, LearningRobot, Observer
+
+if TYPE_CHECKING:
+    from household.environment import Household
+    from household.replay.events import Belief
+    from household.replay.recorder import Recorder
+    from learners.learner import Credit
+
+
+class RecordingObserver(Observer):
+    """Writes a replay of what the household did and what its learners made of it.
+
+    A second episode goes to a file of its own, whose name ends in ``_1``, and so on.
+
+    Args:
+        path: File to write, ends in .rrd; None: none.
+        watch: Shows the episode in the viewer while it goes on.
+        flush_every: Decisions between writes; a killed process loses no more.
+    """
+
+    def __init__(
+        self,
+        path: Path | str | None,
+        *,
+        watch: bool = False,
+        flush_every: int = 1000,
+    ) -> None:
+        self._path = None if path is None else Path(path)
+        self._watch, self._flush_every = watch, flush_every
+        self._episode = 0
+        self._recorder: Recorder | None = None
+        self._entries: dict[str, Entry | None] = {}
+
+    def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
+        """Begins a file; one that is open is closed."""
+        from household.replay.recorder import Recorder
+
+        self.close()
+        self._entries = dict.fromkeys(robots)
+        self._recorder = Recorder(
+            cast("Household", getattr(env, "unwrapped", env)),
+            self._next_path(),
+            learns=True,
+            watch=self._watch,
+            flush_every=self._flush_every,
+        )
+
+    def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
+        """Records what was learned, and what is expected of each behavior now."""
+        assert self._recorder is not None
+        self._record_lessons(self._recorder, robots)
+        # Values move when an entry is over; a table may be shared by several robots.
+        if any(robots[name].entry is not last for name, last in self._entries.items()):
+            for name, robot in robots.items():
+                self._entries[name] = entry = robot.entry
+                if entry is not None:
+                    self._recorder.value(name, robot.learner.q_values(entry.state))
+
+    def stepped(
+        self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
+    ) -> None:
+        """Records what the step led to."""
+        assert self._recorder is not None
+        self._recorder.record()
+
+    def finished(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
+        """Records the last lessons and closes the file."""
+        assert self._recorder is not None
+        self._record_lessons(self._recorder, robots)
+        self.close()
+
+    def close(self) -> None:
+        """Closes the file; for episodes that are broken off."""
+        if self._recorder is not None:
+            self._recorder.close()
+            self._recorder = None
+
+    def _next_path(self) -> Path | None:
+        path, number = self._path, self._episode
+        self._episode += 1
+        if path is None or number == 0:
+            return path
+        return path.with_stem(f"{path.stem}_{number}")
+
+    @staticmethod
+    def _record_lessons(
+        recorder: Recorder, robots: Mapping[str, LearningRobot]
+    ) -> None:
+        for name, robot in robots.items():
+            for credit in robot.lesson.credits if robot.lesson is not None else ():
+                recorder.believe(_belief(name, credit))
+
+
+def _belief(robot: str, credit: Credit) -> Belief:
+    """What a learner believes, in the words of the replay."""
+    from household.replay.events import Belief, Share
+
+    shares = {
+        share: Share(time=share.time, behavior=share.action, weight=share.weight)
+        for share in credit.shares
+    }
+    meant = credit.designated
+    return Belief(
+        robot=robot,
+        giver=str(credit.feedback.giver),
+        value=credit.feedback.value,
+        time=credit.feedback.time,
+        shares=tuple(shares.values()),
+        designated=None if meant is None else shares.get(meant),
+    )
