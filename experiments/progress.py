@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
+
+from policies.learning import Home, LearningRobot, Observer
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -15,6 +17,23 @@ Advance = Callable[[], None]
 
 _LINES = 10
 """How many lines a run writes at most where there is no terminal."""
+
+
+class Steps(Observer):
+    """Counts an episode's steps.
+
+    Args:
+        advance: Called after each one.
+    """
+
+    def __init__(self, advance: Advance) -> None:
+        self._advance = advance
+
+    def stepped(
+        self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
+    ) -> None:
+        """Counts one."""
+        self._advance()
 
 
 @contextmanager

@@ -50,7 +50,7 @@ class Reproduced:
     evaluations: tuple[Evaluation, ...]
     drawn: tuple[Drawn, ...]
     typical_seed: int
-    replay: Path | None
+    replay: Path
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,6 +127,8 @@ def _analyze(experiment: Experiment, out: Path) -> Reproduced:
     typical = measures.typical_seed(frame, experiment.reference)
     replay = out / "replays" / f"{experiment.name}_seed_{typical}.rrd"
     condition = experiment.condition(experiment.reference)
+    for other in set(replay.parent.glob(f"{experiment.name}_seed_*.rrd")) - {replay}:
+        other.unlink()  # typical no more, now that there are other seeds
     if not replay.exists():
         record(Trial(condition=condition, seed=typical), replay)
     return Reproduced(

@@ -61,7 +61,7 @@ def _part(part: Reproduced, root: Path) -> dict[str, Any]:
         "n_seeds": len(part.study.seeds),
         "seeds": _ranges(part.study.seeds),
         "typical_seed": part.typical_seed,
-        "replay": part.replay and str(part.replay.relative_to(root)),
+        "replay": str(part.replay.relative_to(root)),
         "sessions": part.document["sessions"],
         "configuration": to_json(part.document["configuration"]),
     }

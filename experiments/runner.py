@@ -34,23 +34,28 @@ def run_trial(trial: Trial) -> polars.DataFrame:
     return rows.frame()
 
 
-def play(trial: Trial, observers: Sequence[Observer] = ()) -> None:
+def play(trial: Trial, observers: Sequence[Observer] = ()) -> dict[str, LearningRobot]:
     """Runs a trial and lets observers watch.
 
     Args:
         trial: What to run.
         observers: Who watches, e.g. a result table or a replay file.
+
+    Returns:
+        The robots, with what they learned.
     """
     from policies.learning import run_episode
 
     home_seed, learner_seed = np.random.SeedSequence(trial.seed).spawn(2)
     env = make_home(trial.condition)
+    robots = make_robots(trial.condition, env, learner_seed)
     run_episode(
         env,
-        make_robots(trial.condition, env, learner_seed),
+        robots,
         seed=int(home_seed.generate_state(1)[0]),
         observers=observers,
     )
+    return robots
 
 
 def make_home(condition: Condition) -> Evaluated:

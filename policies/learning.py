@@ -14,11 +14,16 @@ from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from household.perception.situation import Situation
 from learners.experience import Experience, Feedback
 from learners.learner import Credit, Learner
+from learners.saving import saved
 
 if TYPE_CHECKING:
     from household.people.feedback import Feedback as Touch
+
+# So that what was learned in a household can be saved.
+saved(Situation)
 
 
 class Home(Protocol):

@@ -147,7 +147,8 @@ def _lay_out(columns: Sequence[Column]) -> Figure:
         for axes, cell in zip(grid[:, index], column.cells, strict=True):
             axes.set_ylabel(cell.label)
             cell.draw(axes)
-        grid[0, index].set_title(column.title, pad=14)
+        below = 14 if grid[0, index].get_legend() is None else 26
+        grid[0, index].set_title(column.title, pad=below)
         grid[-1, index].set_xlabel("time [min]")
         grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.align_ylabels()

@@ -165,4 +165,5 @@ def _draw_conditions(
         row.draw_as(axes, trials, lane)
     if isinstance(row, TouchFrequency):
         axes.set_ylim(bottom=0)
-    legend_above(axes)
+    else:
+        legend_above(axes)

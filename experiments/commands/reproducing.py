@@ -1,27 +1,21 @@
-"""The commands of `household`: what each takes and what it does."""
+"""`household reproduce` and `household report`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Protocol
+from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
+from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from experiments.paper import Experiment
-
-
-class Command(Protocol):
-    """Something that can be run once its words are read."""
-
-    def run(self) -> None:
-        """Does it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,7 +47,7 @@ class Reproduce:
         from experiments.publish import publish
         from experiments.summary import show
 
-        console = _console()
+        console = new_console()
         self._run_missing(console, self._chosen())
         with console.status("Drawing figures, recording replays, writing the report"):
             published = publish(self.out)
@@ -108,20 +102,7 @@ class Report:
         from experiments.publish import publish
         from experiments.summary import show
 
-        show(_console(), publish(self.directory))
-
-
-COMMANDS: Mapping[str, Callable[..., Command]] = {
-    "reproduce": Reproduce,
-    "report": Report,
-}
-"""Every command that there is, in the order of `--help`."""
-
-
-def _console() -> Console:
-    from rich.console import Console
-
-    return Console()
+        show(new_console(), publish(self.directory))
 
 
 def _number(word: str, kind: str, allowed: Iterable[int]) -> int:

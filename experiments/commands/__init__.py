@@ -1,0 +1,33 @@
+"""The commands of `household`: what each takes and what it does.
+
+A command is a record of what was asked, with a method `run`. It imports what it needs
+when it runs, so that `--help` is quick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Protocol
+
+from experiments.commands.replaying import Replay
+from experiments.commands.reproducing import Report, Reproduce
+from experiments.commands.scenarios import Check, Scenarios
+from experiments.commands.training import Train
+
+
+class Command(Protocol):
+    """Something that can be run once its words are read."""
+
+    def run(self) -> None:
+        """Does it."""
+
+
+COMMANDS: Mapping[str, Callable[..., Command]] = {
+    "reproduce": Reproduce,
+    "report": Report,
+    "train": Train,
+    "replay": Replay,
+    "scenarios": Scenarios,
+    "check": Check,
+}
+"""Every command that there is, in the order of `--help`."""
