@@ -49,6 +49,7 @@ class Percept:
         touched: Whether its wish to touch was fulfilled in this period.
         mood: Its mood, in [-1, 1].
         judgements: What it thinks of the bouts that it first perceived now.
+        pleasing: Whether each robot is doing something that pleases it, (n_robots,).
         sees: Whether it sees each entity (people first, then robots), shape (n,).
         level: How loud it hears each entity, shape (n,) [dB].
     """
@@ -60,6 +61,7 @@ class Percept:
     touched: bool
     mood: float
     judgements: Sequence[Judgement]
+    pleasing: NDArray[np.bool_]
     sees: NDArray[np.bool_]
     level: NDArray[np.float64]
 

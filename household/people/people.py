@@ -38,6 +38,7 @@ class People:
         places: Where their activities are.
         place: Index of the region that each is in, -1 outside all, shape (n,).
         activity: The role that each plays, as `Activity` values, shape (n,).
+        pleasing: Whether each robot does what pleases each person, (n, n_robots).
     """
 
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
@@ -65,6 +66,7 @@ class People:
         )
         self.place = np.full(len(self.everyone), -1, dtype=np.intp)
         self.activity = np.full(len(self.everyone), int(Activity.UNKNOWN))
+        self.pleasing = np.zeros((len(self.everyone), len(scenario.robots)), np.bool_)
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Array:
         """Begins a new episode.
@@ -123,6 +125,7 @@ class People:
             strength
             * self.preferred(attends)[:, np.arange(len(doing)), np.maximum(doing, 0)]
         )
+        self.pleasing = value > 0.0
         begun = np.array([bout.decision for bout in robots.bouts])
         judged = np.array([p.judged for p in self.everyone]).reshape(n, -1)
         for i, r in np.argwhere((value != 0.0) & (judged != begun) & (doing >= 0)):
@@ -172,6 +175,7 @@ class People:
                     touched=person.touched,
                     mood=person.mood,
                     judgements=judgements[i],
+                    pleasing=self.pleasing[i],
                     sees=senses.sees[i],
                     level=senses.level[i],
                 )

@@ -30,7 +30,8 @@ class Persona(Record, frozen=True, kw_only=True):
             correct behavior" (paper, section 3.1).
         habituation: Share by which each polite bout takes away from the wish to
             praise the next one (paper, section 5.1: rewards become fewer).
-        recovery: Time constant with which that wish comes back [s].
+        recovery: Time constant with which that wish comes back while nothing that
+            pleases goes on [s]; habituation recovers when its stimulus is withheld.
         contrast: Share of the lost wish that comes back when the robot did wrong
             (paper, section 5.2: "most of the positive rewards are given after the
             system has been punished and changed its behavior").

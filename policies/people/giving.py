@@ -13,8 +13,8 @@ class FeedbackGiving:
     """A person's readiness to praise and to sanction.
 
     Faults are sanctioned more readily than politeness is praised; who came to expect
-    politeness praises it less and less, until a fault or time brings the wish back
-    (paper, sections 3.1, 5.1 and 5.2).
+    politeness praises it less and less, until a fault or a time without it brings the
+    wish back (paper, sections 3.1, 5.1 and 5.2).
 
     Args:
         persona: Holds every constant.
@@ -38,7 +38,7 @@ class FeedbackGiving:
         """Takes in what was perceived: forms, keeps, fulfils or drops a wish."""
         persona = self._persona
         recovered = 1.0 - math.exp(-percept.period / persona.recovery)
-        self._freshness += recovered * (1.0 - self._freshness)
+        self._freshness += recovered * (1.0 - self._freshness) * ~percept.pleasing
         self._waited += percept.period
         if percept.touched or self._waited > persona.patience:
             self.wish = None
