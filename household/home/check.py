@@ -6,7 +6,7 @@ inside the TOML file.
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache, reduce
+from functools import lru_cache
 
 import msgspec
 import numpy as np
@@ -33,6 +33,12 @@ SHORTEST = 0.01
 
 FINE = 0.05
 """Cell [m] of the search for gaps: half the usual wall, so that no wall leaks."""
+
+THICKEST = 0.5
+"""Of a wall [m]: an old stone house."""
+
+RIM = 6
+"""Cells round the plan, so that all that is outdoors hangs together."""
 
 Named = Sequence[Furniture | Region | Room]
 
@@ -120,6 +126,8 @@ def _lengths(plan: FloorPlan) -> Iterator[str]:
                 f"regions[{i}].facing: is the center itself; "
                 "allowed: a point to look at"
             )
+    if plan.wall_thickness > THICKEST:
+        yield f"wall_thickness: {plan.wall_thickness} m; allowed: at most {THICKEST} m"
     side = float((plan.upper - plan.lower).max())
     if not 1.0 <= side <= LARGEST:
         yield f"walls: {side:.4g} m from end to end; allowed: 1 m to {LARGEST:.0f} m"
@@ -205,21 +213,32 @@ def _sides(plan: FloorPlan, door: Door) -> tuple[Point, Point]:
 def _outdoors(plan: FloorPlan, segments: Array) -> NDArray[np.bool_]:
     """Marks the cells of a fine grid that can be reached from outside the walls."""
     reach = max(plan.wall_thickness / 2, FINE)
-    shape = np.ceil((plan.upper - plan.lower) / FINE).astype(int) + 12
-    grid = np.indices(tuple(shape)).reshape(2, -1).T
-    points = plan.lower + (grid - 5.5) * FINE
-    gaps = (distance_to_segments(points, row[None])[:, 0] for row in segments)
-    open_ = (reduce(np.minimum, gaps) > reach).reshape(tuple(shape))
+    edge = int(reach / FINE) + 2
+    last = _cell(plan, plan.upper)
+    open_ = np.ones((last[0] + RIM + 1, last[1] + RIM + 1), dtype=np.bool_)
+    for row in segments:
+        low = np.maximum(_cell(plan, np.minimum(row[:2], row[2:])) - edge, 0)
+        high = _cell(plan, np.maximum(row[:2], row[2:])) + edge + 1
+        near = open_[low[0] : high[0], low[1] : high[1]]
+        points = np.indices(near.shape).reshape(2, -1).T + low
+        middles = plan.lower + (points - RIM + 0.5) * FINE
+        gaps = distance_to_segments(middles, row[None])
+        near &= (gaps > reach).reshape(near.shape)
     parts, _ = label(open_)
     outdoors: NDArray[np.bool_] = parts == parts[0, 0]
     return outdoors
 
 
+def _cell(plan: FloorPlan, point: Array) -> NDArray[np.intp]:
+    """Indices of the fine cell that holds a point."""
+    cell: NDArray[np.intp] = np.floor((point - plan.lower) / FINE).astype(int) + RIM
+    return cell
+
+
 def _at(plan: FloorPlan, outdoors: NDArray[np.bool_], point: Point) -> bool:
-    """Whether a point within the plan is outdoors."""
-    cell = np.floor((np.array(point) - plan.lower) / FINE).astype(int) + 6
-    i, j = np.clip(cell, 0, np.array(outdoors.shape) - 1)
-    return bool(outdoors[i, j])
+    """Whether a point is outdoors."""
+    cell = np.clip(_cell(plan, np.array(point)), 0, np.array(outdoors.shape) - 1)
+    return bool(outdoors[tuple(cell)])
 
 
 def _ways(plan: FloorPlan) -> Iterator[str]:

@@ -43,7 +43,10 @@ LETTER, LINE = 0.07, 0.14
 """Width of a small letter and height of its line, at that scale [m]."""
 
 BORDER = 0.3
-"""White ground round the walls [m]; below them there is a strip for the scale bar."""
+"""White ground round the walls [m]."""
+
+STRIP = 0.7
+"""White ground below that, for the scale bar [m]."""
 
 
 def draw(plan: FloorPlan, path: Path | str) -> None:
@@ -59,7 +62,7 @@ def draw(plan: FloorPlan, path: Path | str) -> None:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    width, height = (plan.upper - plan.lower) + (2 * BORDER, 2 * BORDER + 0.7)
+    width, height = (plan.upper - plan.lower) + (2 * BORDER, 2 * BORDER + STRIP)
     # The text of an SVG stays text and its ids stay the same: small files, small diffs.
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "home"}):
         figure = Figure(figsize=(SCALE * width, SCALE * height), dpi=160)
@@ -92,7 +95,7 @@ def draw_on(plan: FloorPlan, axes: "Axes") -> None:
         _draw_wall(wall, plan.wall_thickness, axes)
     _draw_scale(plan, axes)
     (left, bottom), (right, top) = plan.lower - BORDER, plan.upper + BORDER
-    axes.set(xlim=(left, right), ylim=(bottom - 0.7, top), aspect="equal")
+    axes.set(xlim=(left, right), ylim=(bottom - STRIP, top), aspect="equal")
     axes.set_axis_off()
 
 

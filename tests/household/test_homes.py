@@ -82,6 +82,26 @@ def test_a_region_that_nobody_can_walk_to_is_a_fault(smart_room):
     ]
 
 
+@pytest.mark.parametrize(
+    ("thickness", "faults"),
+    [
+        (0.02, ()),
+        (0.3, ()),
+        (0.7, ("wall_thickness: 0.7 m; allowed: at most 0.5 m",)),
+    ],
+)
+def test_walls_may_be_thin_or_thick_within_reason(smart_room, thickness, faults):
+    assert problems(msgspec.structs.replace(smart_room, wall_thickness=thickness)) == (
+        faults
+    )
+
+
+def test_a_gap_that_only_looks_pass_is_a_fault_too(smart_room):
+    slit = changed(smart_room, "walls", 2, end=(8.0, 4.8))
+    assert problems(slit)[0].startswith("regions[0].center: 'entrance' is outdoors")
+    assert problems(changed(smart_room, "walls", 2, end=(8.0, 4.95))) == ()
+
+
 def test_furniture_may_stand_in_a_wall(smart_room):
     box = Furniture(name="fireplace", center=(8.0, 2.5), size=(0.4, 1.0), tall=True)
     pieces = (*smart_room.furniture, box)
