@@ -1,5 +1,6 @@
 """Reading TOML into frozen records, with the path of every error."""
 
+import math
 import re
 import tomllib
 from collections.abc import Iterator
@@ -48,10 +49,25 @@ def convert(data: object, kind: type[T], origin: str) -> T:
     Raises:
         HouseholdError: Names the file, the path inside it and what is allowed.
     """
+    for path, value in leaves(data):
+        if isinstance(value, float) and not math.isfinite(value):
+            raise HouseholdError(f"{origin}: {path}: {value}; allowed: finite numbers")
     try:
         return msgspec.convert(data, kind)
     except msgspec.ValidationError as error:
         raise HouseholdError(f"{origin}: {explain(str(error), kind)}") from None
+
+
+def leaves(data: object, path: str = "") -> Iterator[tuple[str, object]]:
+    """Every value inside nested plain data, with its path."""
+    if isinstance(data, dict):
+        for name, value in data.items():
+            yield from leaves(value, f"{path}.{name}" if path else str(name))
+    elif isinstance(data, list | tuple):
+        for index, value in enumerate(data):
+            yield from leaves(value, f"{path}[{index}]")
+    else:
+        yield path, data
 
 
 def explain(message: str, kind: type) -> str:
