@@ -13,6 +13,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
 from household.home.floorplan import FloorPlan
+from household.home.straight import line_is_free, turning_points
 
 CELL = 0.1
 """Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
@@ -158,24 +159,16 @@ class Routes:
     def _pulled_straight(self, path: Array, end: Array) -> list[tuple[float, float]]:
         """Keeps only the points at which the walk must turn."""
         points = np.vstack([path, end])
-        kept, here = [], 0
-        while here < len(points) - 1:
-            there = len(points) - 1
-            while there > here + 1 and not self.line_is_free(
-                points[here], points[there]
-            ):
-                there -= 1
-            kept.append((float(points[there][0]), float(points[there][1])))
-            here = there
-        return kept
+        kept = turning_points(self.free, (points - self._origin) / CELL)
+        return [(float(x), float(y)) for x, y in points[kept]]
 
     def line_is_free(self, start: Array, end: Array) -> bool:
         """Whether a body can walk straight from one point to another."""
-        steps = max(2, int(np.hypot(*(end - start)) / (CELL / 2)) + 1)
-        points = start + np.linspace(0.0, 1.0, steps)[:, None] * (end - start)
-        cells = ((points - self._origin) / CELL).astype(int)
-        inside = (cells >= 0).all() and (cells < self._shape).all()
-        return bool(inside and self.free[cells[:, 0], cells[:, 1]].all())
+        return bool(
+            line_is_free(
+                self.free, (start - self._origin) / CELL, (end - self._origin) / CELL
+            )
+        )
 
     def _center(self, cell: tuple[int, int]) -> Array:
         center: Array = self._origin + (np.array(cell) + 0.5) * CELL

@@ -74,10 +74,11 @@ def follow(mover: Mover, crowd: Crowd) -> None:
     """Keeps close to the nearest person."""
     person = _nearest_person(mover, crowd)
     x, y = crowd.position[person]
-    if math.dist((x, y), crowd.position[mover.body]) > COMPANY:
-        crowd.send(mover.body, (float(x), float(y)), mover.now)
-    else:
+    goal = (float(x), float(y))
+    if math.dist(goal, crowd.position[mover.body]) <= COMPANY:
         crowd.halt(mover.body)
+    elif not crowd.is_bound_for(mover.body, goal):
+        crowd.send(mover.body, goal, mover.now)
 
 
 def retreat(mover: Mover, crowd: Crowd) -> None:
