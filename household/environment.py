@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from gymnasium import spaces
@@ -26,7 +26,11 @@ from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import MOST_PEOPLE, Scenario
 from household.scenario_check import load_scenario
+from household.snapshot import snapshot
 from household.streams import Streams
+
+if TYPE_CHECKING:
+    from household.render import Screen
 
 Array = NDArray[np.float64]
 Observation = Any
@@ -55,7 +59,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         scenario: A built-in name, a path to a TOML file, or a scenario.
         make_minds: Gives the scenario's people their minds.
         observation: "features" or "situation".
-        render_mode: None.
+        render_mode: "human" shows every step in a window, "rgb_array" makes `render`
+            return pictures; both need the extra ``render``.
         **overrides: Top-level fields of the scenario to replace.
 
     Raises:
@@ -64,7 +69,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     metadata: ClassVar[dict[str, Any]] = {
         "name": "household_v0",
-        "render_modes": [],
+        "render_modes": ["human", "rgb_array"],
         "render_fps": 4,
         "is_parallelizable": True,
     }
@@ -85,6 +90,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             _check_name(render_mode, self.metadata["render_modes"], "render mode")
         self.scenario = load_scenario(scenario, **overrides)
         self.render_mode = render_mode
+        self._screen: Screen | None = None
         self.max_cycles = self.scenario.max_cycles
         self.behaviors = self.scenario.behaviors
         self.possible_agents = list(self.scenario.robot_names)
@@ -161,6 +167,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         )
         self._look_around(np.full(len(self._head_turn), 2 * np.pi))
         self._perceive()
+        self._show()
         return self._observations(), {agent: {} for agent in self.agents}
 
     def step(
@@ -196,7 +203,37 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         judgements = self.people.judge(self.senses, self.robots)
         clock = (self.time, self.scenario.decision_period)
         self.people.decide(self.crowd, self.senses, judgements, clock)
+        self._show()
         return self._results()
+
+    def render(self) -> NDArray[np.uint8] | None:
+        """Shows this moment.
+
+        Returns:
+            A picture of shape (480, 640, 3) for "rgb_array", else None.
+
+        Raises:
+            HouseholdError: If the extra ``render`` is not installed.
+        """
+        if self.render_mode is None:
+            return None
+        if self._screen is None:
+            from household.render import Screen
+
+            fps = self.metadata["render_fps"]
+            self._screen = Screen(self.scenario, self.render_mode, fps)
+        return self._screen.show(snapshot(self))
+
+    def _show(self) -> None:
+        """Shows this moment to a person, if one is to watch."""
+        if self.render_mode == "human":
+            self.render()
+
+    def close(self) -> None:
+        """Closes the window, if there is one."""
+        if self._screen is not None:
+            self._screen.close()
+            self._screen = None
 
     @property
     def time(self) -> float:
