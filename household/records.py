@@ -55,7 +55,7 @@ def convert(data: object, kind: type[T], origin: str) -> T:
     try:
         return msgspec.convert(data, kind)
     except msgspec.ValidationError as error:
-        raise HouseholdError(f"{origin}: {explain(str(error), kind)}") from None
+        raise HouseholdError(f"{origin}: {explain(str(error), kind, data)}") from None
 
 
 def leaves(data: object, path: str = "") -> Iterator[tuple[str, object]]:
@@ -70,10 +70,12 @@ def leaves(data: object, path: str = "") -> Iterator[tuple[str, object]]:
         yield path, data
 
 
-def explain(message: str, kind: type) -> str:
+def explain(message: str, kind: type, data: object) -> str:
     """Rewrites msgspec's message as "path: what is wrong; what is allowed"."""
     text, _, where = message.partition(" - at `")
-    path = where.rstrip("`").removeprefix("$").removeprefix(".")
+    # Of a wrong key it says "at `key` in `path`".
+    path = where.rpartition("`$")[2] if "`$" in where else where.removeprefix("$")
+    path = path.rstrip("`").removeprefix(".")
     if unknown := re.search(r"unknown field `(.+)`", text):
         record = record_in(type_at(kind, path))
         names = [field.encode_name for field in msgspec.structs.fields(record)]
@@ -81,7 +83,25 @@ def explain(message: str, kind: type) -> str:
     elif unknown := re.search(r"Invalid enum value '(.+)'", text):
         allowed = literals_in(type_at(kind, path))
         text = choose_from(unknown.group(1), allowed, "value")
+    path = with_keys(path, kind, data)
     return f"{path}: {text}" if path else text
+
+
+def with_keys(path: str, kind: Any, data: Any) -> str:
+    """Puts the key where msgspec leaves it open, as in ``norms[...].attending``."""
+    before, gap, after = path.partition("[...]")
+    if not gap:
+        return path
+    tables = (p for p in parts_of(type_at(kind, before)) if get_origin(p) is dict)
+    inner = get_args(next(tables))[1]
+    for step in re.findall(r"[^.\[\]]+", before):
+        data = data[int(step) if step.isdecimal() else step]
+    for key, value in data.items():
+        try:
+            msgspec.convert(value, inner)
+        except msgspec.ValidationError:
+            return f"{before}.{key}{with_keys(after, inner, value)}"
+    return path
 
 
 def type_at(kind: Any, path: str) -> Any:
