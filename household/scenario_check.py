@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from household.errors import HouseholdError, choose_from
-from household.home.check import checked
+from household.home.check import problems as home_problems
 from household.home.routes import routes_of
 from household.people.norms import Norms
+from household.people.persona import load_persona
 from household.records import Point
 from household.robots.behavior import catalogue
 from household.scenario import PersonSpec, Scenario, ScriptStep, read_scenario
@@ -35,18 +36,49 @@ def load_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scena
 def problems(scenario: Scenario) -> Iterator[str]:
     """Everything that is wrong with a scenario, one line each.
 
-    Raises:
-        HouseholdError: If the home or a persona cannot be read at all.
+    A home or a persona that cannot be used hides what is wrong beyond it.
     """
-    home = scenario.home
-    checked(scenario.plan, home if isinstance(home, str) else "home")
+    unusable = (*_home(scenario), *_personas(scenario))
+    yield from unusable
+    if unusable:
+        return
     yield from _periods(scenario)
+    yield from _thresholds(scenario)
     yield from _behaviors(scenario)
     yield from _names(scenario)
     yield from _slots(scenario)
     for index, person in enumerate(scenario.people):
         yield from _doings(scenario, person, f"people[{index}]")
     yield from _places(scenario)
+
+
+def _home(scenario: Scenario) -> Iterator[str]:
+    home = scenario.home
+    try:
+        faults = home_problems(scenario.plan)
+    except HouseholdError as error:
+        yield f"home: {error}"
+    else:
+        where = f"home: {home}: " if isinstance(home, str) else "home."
+        yield from (where + fault for fault in faults)
+
+
+def _personas(scenario: Scenario) -> Iterator[str]:
+    for index, person in enumerate(scenario.people):
+        if isinstance(person.persona, str):
+            try:
+                load_persona(person.persona)
+            except HouseholdError as error:
+                yield f"people[{index}].persona: {error}"
+
+
+def _thresholds(scenario: Scenario) -> Iterator[str]:
+    model = scenario.perception
+    if model.attend_below > model.attend_above:
+        yield (
+            f"perception.attend_below: {model.attend_below}; "
+            f"allowed: at most attend_above, {model.attend_above}"
+        )
 
 
 def _periods(scenario: Scenario) -> Iterator[str]:
@@ -66,7 +98,9 @@ def _behaviors(scenario: Scenario) -> Iterator[str]:
         yield "behaviors: every name may stand there once"
     yield from _norms(scenario.norms or {}, known, "norms")
     for index, persona in enumerate(scenario.personas):
-        yield from _norms(persona.preferences, known, f"people[{index}].preferences")
+        yield from _norms(
+            persona.preferences, known, f"people[{index}].persona.preferences"
+        )
 
 
 def _norms(norms: Norms, known: Collection[str], path: str) -> Iterator[str]:
