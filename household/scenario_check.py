@@ -1,5 +1,6 @@
 """How the parts of a scenario must fit together, with the path of every fault."""
 
+import math
 from collections.abc import Collection, Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -11,6 +12,7 @@ from household.home.check import problems as home_problems
 from household.home.routes import routes_of
 from household.people.norms import Norms
 from household.people.persona import load_persona
+from household.people.places import Places
 from household.records import Point
 from household.robots.behavior import catalogue
 from household.scenario import PersonSpec, Scenario, ScriptStep, read_scenario
@@ -177,12 +179,26 @@ def _places(scenario: Scenario) -> Iterator[str]:
     bodies += [
         (f"robots[{i}].position", r.position) for i, r in enumerate(scenario.robots)
     ]
+    spots = list(_first_spots(scenario))
     for index, (path, point) in enumerate(bodies):
         if problem := _misplaced(scenario, point):
             yield f"{path}: {problem}"
-        for other, there in bodies[:index]:
-            if np.hypot(point[0] - there[0], point[1] - there[1]) < APART:
+        for other, there in (*spots, *bodies[:index]):
+            if math.dist(point, there) < APART:
                 yield f"{path}: overlaps {other}; allowed: at least {APART} m apart"
+
+
+def _first_spots(scenario: Scenario) -> Iterator[tuple[str, Point]]:
+    """Where people begin who are not put anywhere, but have something to do."""
+    places = Places(scenario.plan)
+    for index, person in enumerate(scenario.people):
+        names = [step.place for step in person.script] or list(person.schedule)
+        if names and places.has(names[0]):
+            name = names[0]
+            place = places.index(name) if person.script else places.own(name, index)
+            spot = places.claim(index, place)
+            if not person.start:
+                yield f"people[{index}] in its first place", spot
 
 
 APART = 0.5

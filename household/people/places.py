@@ -50,6 +50,10 @@ class Places:
         """Begins a new episode: nobody has claimed a spot."""
         self._claims.clear()
 
+    def has(self, name: str) -> bool:
+        """Whether a region has this name or this activity."""
+        return any(name in (region.name, region.activity) for region in self.regions)
+
     def index(self, name: str) -> int:
         """Index of the region with this name, else the first with this activity."""
         names = [region.name for region in self.regions]
