@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
+from household.faults import faults
 from household.home.floorplan import FloorPlan, load_floorplan
 from household.people.norms import Norms, household_norms
 from household.people.persona import Persona, load_persona
@@ -230,3 +231,13 @@ def read_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scena
         origin, fields = str(path), read_toml(path)
     # As plain data, so that overrides are checked like what stands in a file.
     return convert(msgspec.to_builtins(fields | overrides), Scenario, origin)
+
+
+def wrong_fields(scenario: str | Path) -> tuple[str, ...]:
+    """Every field of a scenario's file that is wrong by itself, one line each.
+
+    Raises:
+        HouseholdError: If the file cannot be read.
+    """
+    path = locate(str(scenario), "scenarios", "scenario")
+    return tuple(faults(read_toml(path), Scenario))

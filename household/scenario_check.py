@@ -15,7 +15,13 @@ from household.people.persona import load_persona
 from household.people.places import Places
 from household.records import Point
 from household.robots.behavior import catalogue
-from household.scenario import PersonSpec, Scenario, ScriptStep, read_scenario
+from household.scenario import (
+    PersonSpec,
+    Scenario,
+    ScriptStep,
+    read_scenario,
+    wrong_fields,
+)
 
 
 def load_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:
@@ -216,8 +222,12 @@ def _misplaced(scenario: Scenario, point: Point) -> str:
 
 
 def check_file(path: str | Path) -> tuple[str, ...]:
-    """Every problem of a scenario, one line each; empty if it can be used."""
+    """Every problem of a scenario, one line each; empty if it can be used.
+
+    How the parts fit together can be told only when each of them is right.
+    """
     try:
-        return tuple(f"{path}: {problem}" for problem in problems(read_scenario(path)))
+        found = wrong_fields(path) or problems(read_scenario(path))
+        return tuple(f"{path}: {problem}" for problem in found)
     except HouseholdError as error:
         return (str(error),)

@@ -45,13 +45,13 @@ class Check:
         import sys
 
         from household.scenario import read_scenario
-        from household.scenario_check import problems
+        from household.scenario_check import check_file
 
-        scenario = read_scenario(self.file)
-        faults = [f"{self.file}: {problem}" for problem in problems(scenario)]
+        faults = check_file(self.file)
         if faults:
             print(*faults[:-1], sep="\n", end="\n" * (len(faults) > 1), file=sys.stderr)
             raise ExperimentError(faults[-1])
+        scenario = read_scenario(self.file)
         new_console().print(f"{self.file}: correct; {_size(scenario)}.")
 
 
