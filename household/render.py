@@ -29,7 +29,7 @@ CAPTION = 22
 SHOWN = 3.0
 """How long a touch is to be seen [s]."""
 
-INK, PAPER = (30, 30, 30), (250, 250, 248)
+INK, PAPER = (30, 30, 30), (255, 255, 255)
 
 Point = tuple[float, float]
 
@@ -72,7 +72,7 @@ class Painter:
         pixels = self._raster.pixels.swapaxes(0, 1)
         self._home = self._pygame.surfarray.make_surface(pixels)
         self._margin = (SIZE[0] - self._home.get_width()) / 2
-        self._font = self._pygame.font.Font(None, 17)
+        self._font = self._pygame.font.Font(_font_path(), 11)
         self._recent: list[tuple[float, Point, str]] = []
 
     def paint(self, snapshot: Snapshot) -> "pygame.Surface":
@@ -228,3 +228,10 @@ class Screen:
         """Closes the window."""
         if self._human:
             self._pygame.display.quit()
+
+
+def _font_path() -> str:
+    """Matplotlib brings a font along; pygame's own is hard to read when small."""
+    from matplotlib.font_manager import findfont
+
+    return str(findfont("DejaVu Sans"))

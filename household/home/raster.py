@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from io import BytesIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,13 +45,14 @@ def rasterize(plan: FloorPlan, scale: float) -> Raster:
         plan: The home.
         scale: Pixels per meter.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=tuple(SCALE * size_of(plan)), dpi=scale / SCALE)
-    canvas = FigureCanvasAgg(figure)
+    dpi = scale / SCALE
+    figure = Figure(figsize=tuple(SCALE * size_of(plan)), dpi=dpi)
     draw_on(plan, figure.add_axes((0.0, 0.0, 1.0, 1.0)))
-    canvas.draw()
-    pixels = np.asarray(canvas.buffer_rgba())[..., :3].copy()
+    data = BytesIO()
+    figure.savefig(data, format="rgba", dpi=dpi)
+    width, height = (int(side) for side in figure.bbox.size)
+    rgba = np.frombuffer(data.getvalue(), dtype=np.uint8).reshape(height, width, 4)
     left, top = plan.lower[0] - BORDER, plan.upper[1] + BORDER
-    return Raster(pixels, float(left), float(top), scale)
+    return Raster(rgba[..., :3].copy(), float(left), float(top), scale)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from household.people.feedback import Feedback
 from household.replay.colors import CARESS, TAP, packed
-from household.replay.scenery import LANE, SECOND
-from household.replay.stream import Stream, exact, words
+from household.replay.scenery import LANE, second
+from household.replay.stream import Moments, Stream, exact, moments_of, words
 from household.scenario import Scenario
 from household.snapshot import Snapshot, Touch
 
@@ -20,6 +20,8 @@ Line = tuple[Point, ...]
 
 SHOWN = 5.0
 """How long a touch stays on the floor plan [s]."""
+
+VERBS = {"caress": "caresses", "tap": "taps"}
 
 REMEMBERED = 512
 """Decisions for which it is known where the robots were; lines go back no further."""
@@ -96,6 +98,7 @@ class Events:
 
     def __init__(self, scenario: Scenario) -> None:
         self._scenario = scenario
+        self._second = second(scenario)
         self._robots = {name: i for i, name in enumerate(scenario.robot_names)}
         self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
         stay = max(1, round(SHOWN / scenario.decision_period))
@@ -148,9 +151,8 @@ class Events:
         x, y = self._spots[known % REMEMBERED, self._robots[robot]]
         return float(x), float(y)
 
-    def _moments(self, decisions: Iterable[int]) -> tuple[NDArray[np.int64], Array]:
-        at = np.array(list(decisions), dtype=np.int64)
-        return at, at * self._scenario.decision_period
+    def _moments(self, decisions: Iterable[int]) -> Moments:
+        return moments_of(decisions, self._scenario.decision_period)
 
     def _send_marks(self, stream: Stream) -> None:
         import rerun as rr
@@ -178,7 +180,7 @@ class Events:
         stream.send("touches", moments, touch_columns(touches))
         at = np.array(
             [
-                (f.time * SECOND, self._lane(t.robot))
+                (f.time * self._second, self._lane(t.robot))
                 for f, t in zip(felt, touches, strict=True)
             ]
         )
@@ -188,7 +190,7 @@ class Events:
         )
         stream.send("credit/past/touches", moments, points)
         arcs = [
-            arc(tuple(point), (cause.time * SECOND, self._lane(cause.robot)), 1.0)
+            arc(tuple(point), (cause.time * self._second, self._lane(cause.robot)), 1.0)
             for point, cause in zip(at, causes, strict=True)
         ]
         stream.send("credit/past/true", moments, rr.LineStrips2D.columns(strips=arcs))
@@ -221,7 +223,9 @@ class Events:
 
     def _arc(self, belief: Belief, share: Share) -> Array:
         lane = self._lane(belief.robot)
-        return arc((belief.time * SECOND, lane), (share.time * SECOND, lane), -1.0)
+        return arc(
+            (belief.time * self._second, lane), (share.time * self._second, lane), -1.0
+        )
 
     def _share_columns(self, pairs: Sequence[tuple[Belief, Share]]) -> list[Any]:
         chosen = [belief.designated is share for belief, share in pairs]
@@ -238,10 +242,10 @@ class Events:
 
     def _told(self, touch: Touch) -> str:
         felt, cause = touch.feedback, touch.cause
-        ago = felt.time - cause.time
+        other = "" if cause.robot == touch.robot else f" of {cause.robot}"
         return (
-            f"{felt.giver} gives {touch.robot} a {felt.kind} ({felt.value:+.2f}), "
-            f"really for {self._name(cause.behavior)} of {cause.robot} {ago:.1f} s ago"
+            f"{felt.giver} {VERBS[felt.kind]} {touch.robot} ({felt.value:+.2f}) for "
+            f"{self._name(cause.behavior)}{other} {felt.time - cause.time:.1f} s before"
         )
 
     def _told_belief(self, belief: Belief) -> str:
@@ -251,8 +255,7 @@ class Events:
             f"({s.weight:.2f})"
             for s in shares
         )
-        touch = f"{belief.giver}'s touch ({belief.value:+.2f})"
-        return f"{belief.robot} credits {touch} to {told or 'nothing'}"
+        return f"  {belief.robot} believes, for {told or 'nothing'}"
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
@@ -260,7 +263,7 @@ class Events:
 
 def _send_touch_marks(
     stream: Stream,
-    moments: tuple[NDArray[np.int64], Array],
+    moments: Moments,
     marks: Sequence[tuple[Point, Feedback]],
     sizes: Sequence[int],
 ) -> None:

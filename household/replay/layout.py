@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from household.home.raster import size_of
-from household.replay.scenery import LANE, SECOND, WINDOW, names_of
+from household.replay.scenery import LANE, WINDOW, names_of, second
 from household.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -70,7 +70,9 @@ def _attention(scenario: Scenario) -> Any:  # noqa: ANN401
         origin="/attention",
         name="Attention: row looks at column",
         background=PAPER,
-        visual_bounds=rrb.VisualBounds2D(x_range=[-1.3, n], y_range=[-0.8, n]),
+        visual_bounds=rrb.VisualBounds2D(
+            x_range=[-1.3, n + 0.3], y_range=[-1.0, n + 0.5]
+        ),
     )
 
 
@@ -149,6 +151,7 @@ def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
     n, period = len(scenario.robots), scenario.decision_period
+    unit = second(scenario)
     back = round(WINDOW / period)
     boundary = rrb.TimeRangeBoundary
     ranges = [
@@ -168,7 +171,7 @@ def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
         name="Credit: believed above, true below",
         background=PAPER,
         visual_bounds=rrb.VisualBounds2D(
-            x_range=[-(WINDOW + 9) * SECOND, 2 * SECOND],
+            x_range=[-(WINDOW + 9) * unit, 2 * unit],
             y_range=[-0.7 * LANE, (n - 0.2) * LANE],
         ),
         time_ranges=ranges,

@@ -8,7 +8,7 @@ from household.environment import PERSON_RADIUS, ROBOT_RADIUS
 from household.perception.cone import RAYS, gaze_cones
 from household.replay.colors import ACTIVITIES, behavior_color, heat, packed
 from household.replay.rows import NAMES, Rows
-from household.replay.scenery import LANE, SECOND
+from household.replay.scenery import LANE, second
 from household.replay.stream import Stream, exact
 from household.scenario import Scenario
 
@@ -73,9 +73,10 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
         rows.half_view[mask],
         scenario.plan.opaque_segments,
         scenario.perception.distance,
-    ).reshape(-1, RAYS + 2, 2)
+    )
+    strips = cones.reshape(-1, RAYS + 2, 2).astype(np.float32)
     tint = packed(ACTIVITIES, 160)[rows.activity[mask]].reshape(-1)
-    outline = rr.LineStrips2D.columns(strips=cones, colors=tint)
+    outline = rr.LineStrips2D.columns(strips=strips, colors=tint)
     _send_groups(stream, "world/people/gaze", rows, mask, outline, n)
 
 
@@ -92,7 +93,7 @@ def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:
         for behaviors in rows.behavior[mask]
         for name, behavior in zip(scenario.robot_names, behaviors, strict=True)
     ]
-    colors = packed([behavior_color(b) for b in rows.behavior[mask].reshape(-1)])
+    colors = packed([behavior_color(int(b)) for b in rows.behavior[mask].reshape(-1)])
     style = rr.Points2D.columns(colors=colors)
     _send_groups(stream, "world/robots", rows, mask, style, n)
     texts = rr.Points2D.columns(labels=labels)
@@ -171,17 +172,18 @@ def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     """
     import rerun as rr
 
-    n, period = len(scenario.robots), scenario.decision_period
-    end = np.repeat(rows.time * SECOND, n)
+    n, unit = len(scenario.robots), second(scenario)
+    end = np.repeat(rows.time * unit, n)
     lane = np.tile(np.arange(n) * LANE, len(rows))
-    begin = np.stack([end - period * SECOND, lane], 1)
+    begin = np.stack([end - scenario.decision_period * unit, lane], 1)
     strips = np.stack([begin, np.stack([end, lane], 1)], 1)
+    strips = strips.astype(np.float32)
     palette = [behavior_color(b) for b in range(-1, len(scenario.behaviors))]
     colors = packed(palette)[rows.behavior.reshape(-1) + 1]
     lanes = rr.LineStrips2D.columns(strips=strips, colors=colors)
     everything = np.ones(len(rows), dtype=np.bool_)
     _send_groups(stream, "credit/past/lanes", rows, everything, lanes, n)
     shift = np.zeros((len(rows), 3), dtype=np.float32)
-    shift[:, 0] = -rows.time * SECOND
+    shift[:, 0] = -rows.time * unit
     moments = rows.decision, rows.time
     stream.send("credit/past", moments, rr.Transform3D.columns(translation=shift))

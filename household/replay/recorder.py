@@ -15,7 +15,7 @@ from household.replay.layout import layout
 from household.replay.moving import send_rows
 from household.replay.rows import Buffer
 from household.replay.scenery import set_scene
-from household.replay.stream import Stream
+from household.replay.stream import Moments, Stream, moments_of
 from household.snapshot import Snapshot, situations, snapshot
 
 if TYPE_CHECKING:
@@ -123,11 +123,8 @@ class Recorder:
     def _is_due(self) -> bool:
         return time.monotonic() - self._written >= WATCH_EVERY
 
-    def _moments(
-        self, decisions: Sequence[int]
-    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        at = np.array(decisions, dtype=np.int64)
-        return at, at * self._scenario.decision_period
+    def _moments(self, decisions: Sequence[int]) -> Moments:
+        return moments_of(decisions, self._scenario.decision_period)
 
     def _send_situations(self) -> None:
         import rerun as rr

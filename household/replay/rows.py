@@ -1,6 +1,7 @@
 """Rows: snapshots kept in preallocated arrays until they are written out."""
 
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,7 +49,7 @@ class Buffer:
     """
 
     def __init__(self, scenario: Scenario, capacity: int) -> None:
-        self._arrays = {
+        self._arrays: dict[str, NDArray[Any]] = {
             "decision": np.zeros(capacity, dtype=np.int64),
             "time": np.zeros(capacity),
         } | {

@@ -1,5 +1,7 @@
 """Scenery: what does not change in a recording, written once at its beginning."""
 
+from typing import Any
+
 import numpy as np
 
 from household.activity import ACTIVITY_NAMES
@@ -18,8 +20,11 @@ from household.scenario import Scenario
 PICTURE_SCALE = 100.0
 """Pixels per meter of the floor plan's picture."""
 
-LANE, SECOND = 1.6, 0.1
-"""Height of a robot's lane and width of a second in the picture of credit."""
+LANE = 1.6
+"""Height of a robot's lane in the picture of credit."""
+
+MOST_NAMES = 16
+"""With more people and robots, names at the attention matrix would hide each other."""
 
 WHITE = (255, 255, 255)
 GRAY = (235, 235, 235)
@@ -29,6 +34,15 @@ WINDOW = 40
 
 ROBOT_LINES = ("#e66100", "#5d3a9b", "#1a85ff", "#4b8b3b", "#d41159", "#996633")
 """Of robots in plots; over and over."""
+
+
+def second(scenario: Scenario) -> float:
+    """Width of a second in the picture of credit; it is to be 3 times wider than high.
+
+    Args:
+        scenario: The household.
+    """
+    return 0.1 * len(scenario.robots)
 
 
 def names_of(scenario: Scenario) -> tuple[str, ...]:
@@ -142,22 +156,25 @@ def _attention(stream: Stream, scenario: Scenario) -> None:
     at = np.arange(n) + 0.5
     rows = np.stack([np.full(n, -0.6), at], 1)
     columns = np.stack([at, np.full(n, -0.45)], 1)
-    label = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
-    stream.fix("attention/observers", rr.Points2D(rows, labels=list(names), **label))
-    stream.fix("attention/observed", rr.Points2D(columns, labels=list(names), **label))
+    label: dict[str, Any] = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
+    short = [p[:5] for p in scenario.person_names]
+    short += [f"r{j}" for j in range(len(scenario.robots))]
+    if n <= MOST_NAMES:
+        stream.fix("attention/rows", rr.Points2D(rows, labels=list(names), **label))
+        stream.fix("attention/columns", rr.Points2D(columns, labels=short, **label))
 
 
 def _credit(stream: Stream, scenario: Scenario, learns: bool) -> None:
     """The axes of the picture of credit: time to the right, a lane for each robot."""
     import rerun as rr
 
-    n = len(scenario.robots)
+    n, unit = len(scenario.robots), second(scenario)
     seconds = np.arange(0, WINDOW + 1, 10)
-    ticks = np.stack([-seconds * SECOND, np.full(len(seconds), (n - 0.42) * LANE)], 1)
-    label = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
+    ticks = np.stack([-seconds * unit, np.full(len(seconds), (n - 0.42) * LANE)], 1)
+    label: dict[str, Any] = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
     texts = ["now", *(f"-{s} s" for s in seconds[1:])]
     stream.fix("credit/axis", rr.Points2D(ticks, labels=texts, **label))
-    at = np.stack([np.full(n, -(WINDOW + 4) * SECOND), np.arange(n) * LANE], 1)
+    at = np.stack([np.full(n, -(WINDOW + 4) * unit), np.arange(n) * LANE], 1)
     robots = list(scenario.robot_names)
     stream.fix("credit/names", rr.Points2D(at, labels=robots, **label))
     lanes = rr.LineStrips2D.from_fields(radii=0.06, draw_order=0.0)

@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import rerun as rr
 
+Moments = tuple[NDArray[np.int64], NDArray[np.float64]]
+"""Decisions and times [s] of rows."""
+
 ARCHETYPE = "household.State"
 """Under which exact columns are stored, beside Rerun's own kinds of data."""
 
@@ -71,11 +74,11 @@ class Stream:
             self.recording.log_file_from_path(path)
             self.recording.flush()
 
-    def describe(self, **properties: str | int | float) -> None:
-        """Writes properties of the recording."""
+    def describe(self, scenario: str) -> None:
+        """Writes the whole scenario as a property of the recording, as JSON."""
         import rerun as rr
 
-        self.recording.send_property("household", rr.AnyValues(**properties))
+        self.recording.send_property("household", rr.AnyValues(scenario=scenario))
 
     def fix(self, entity: str, *parts: Any) -> None:  # noqa: ANN401 - archetypes
         """Writes what does not change."""
@@ -84,7 +87,7 @@ class Stream:
     def send(
         self,
         entity: str,
-        moments: tuple[NDArray[np.int64], NDArray[np.float64]],
+        moments: Moments,
         columns: Iterable["rr.ComponentColumn"],
     ) -> None:
         """Writes columns.
@@ -111,14 +114,14 @@ class Stream:
 
     def close(self) -> None:
         """Ends the recording and frees what it holds; the file is whole then."""
-        import rerun as rr
+        import rerun_bindings
 
         if self._recording is not None:
             self._recording.flush()
             self._recording.disconnect()
             self._recording = None
             # Each closed stream would otherwise keep two threads for good.
-            rr.bindings.flush_and_cleanup_orphaned_recordings()
+            rerun_bindings.flush_and_cleanup_orphaned_recordings()
 
 
 def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
@@ -157,3 +160,9 @@ def _open_viewer() -> None:
     import rerun as rr
 
     rr.spawn(connect=False, hide_welcome_screen=True)
+
+
+def moments_of(decisions: Iterable[int], period: float) -> Moments:
+    """The moments at which decisions end that take so long each [s]."""
+    at = np.array(list(decisions), dtype=np.int64)
+    return at, np.asarray(at * period, dtype=np.float64)
