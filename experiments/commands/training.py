@@ -41,8 +41,10 @@ class Train:
     def run(self) -> None:
         """Runs one episode and stores what came of it."""
         from experiments.results import make_directory
+        from experiments.runner import describe_condition
 
         trial = self._trial()
+        describe_condition(trial.condition)  # what is wrong with it is said here
         make_directory(self.out)
         self._live(new_console(), trial)
 

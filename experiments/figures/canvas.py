@@ -117,7 +117,7 @@ def inline(columns: Sequence[Column], name: str) -> tuple[str, ...]:
         name: Keeps the ids of several figures in one page apart.
     """
     return tuple(
-        _for_page(_svg([column], f"{name}-{index}"), column)
+        _for_page(_svg(column), column, f"{name}-{index}")
         for index, column in enumerate(columns)
     )
 
@@ -164,22 +164,19 @@ def _write(figure: Figure, path: Path) -> None:
     )
 
 
-def _svg(columns: Sequence[Column], name: str) -> str:
-    import matplotlib as mpl
-
+def _svg(column: Column) -> str:
     buffer = io.StringIO()
     with _styled():
-        mpl.rcParams["svg.hashsalt"] = name
-        _lay_out(columns).savefig(
-            buffer, format="svg", metadata={"Date": None, "Creator": None}
-        )
+        metadata = {"Date": None, "Creator": None}
+        _lay_out([column]).savefig(buffer, format="svg", metadata=metadata)
     return buffer.getvalue()
 
 
-def _for_page(svg: str, column: Column) -> str:
+def _for_page(svg: str, column: Column, name: str) -> str:
     body = svg[svg.index("<svg") :]
     body = re.sub(r' (?:width|height)="[\d.]+pt"', "", body, count=2)
     body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
+    body = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", body)
     for color, variable in _THEMED.items():
         body = body.replace(color, f"var({variable})")
     shown = ", ".join(cell.label.replace("\n", " ") for cell in column.cells)

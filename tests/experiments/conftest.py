@@ -142,7 +142,7 @@ def play_home():
     return PlayHome
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def play_trial():
     """Returns a function that runs a trial of experiment 1 in a `PlayHome`."""
 
