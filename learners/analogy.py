@@ -7,7 +7,7 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import combinations
-from typing import Any, Protocol, Self, TypeGuard
+from typing import Protocol, Self, TypeGuard, TypeVar
 
 from learners.checks import check_range
 from learners.errors import StateError
@@ -145,6 +145,20 @@ class Analogy:
         """
 
 
+MEMO_SIZE = 1 << 16
+"""Most states that are kept with what was worked out of them."""
+
+_T = TypeVar("_T")
+
+
+def remember(memo: dict[Hashable, _T], state: Hashable, known: _T, most: int) -> None:
+    """Note what is known of a state; all is forgotten when `most` are noted."""
+    # Forgetting all at once is rare enough to be cheaper than keeping an order.
+    if len(memo) >= most:
+        memo.clear()
+    memo[state] = known
+
+
 @saved
 @dataclass(kw_only=True, eq=False)
 class Propagation(Analogy):
@@ -181,8 +195,8 @@ class Propagation(Analogy):
         """The state itself, then its analogs, nearest first."""
         known = self._memo.get(state)
         if known is None:
-            _make_room(self._memo)
-            known = self._memo[state] = tuple(self._closure(state).items())
+            known = tuple(self._closure(state).items())
+            remember(self._memo, state, known, MEMO_SIZE // len(known))
         return known
 
     def _closure(self, state: Hashable) -> dict[Hashable, float]:
@@ -222,8 +236,8 @@ class Canonical(Analogy):
         """
         known = self._memo.get(state)
         if known is None:
-            _make_room(self._memo)
-            known = self._memo[state] = as_state(state).canonical()
+            known = as_state(state).canonical()
+            remember(self._memo, state, known, MEMO_SIZE)
         return known
 
     def values(self, table: QTable, state: Hashable) -> Sequence[float]:
@@ -237,12 +251,3 @@ class Canonical(Analogy):
     def spread(self, state: Hashable) -> Sequence[tuple[Hashable, float]]:
         """The representative alone."""
         return ((self.key(state), 1.0),)
-
-
-_MEMO_SIZE = 1 << 16
-
-
-def _make_room(memo: dict[Hashable, Any]) -> None:
-    # Forgetting all at once is rare enough to be cheaper than keeping an order.
-    if len(memo) >= _MEMO_SIZE:
-        memo.clear()

@@ -11,7 +11,7 @@ from abc import abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.analogy import State, as_state
+from learners.analogy import MEMO_SIZE, State, as_state, remember
 from learners.credited import Assignment, CreditedLearner
 from learners.experience import Feedback
 from learners.exploration import Estimates
@@ -56,7 +56,8 @@ class Personwise(CreditedLearner):
         """
         places = self._places.get(state)
         if places is None:
-            places = self._places[state] = _places(as_state(state))
+            places = _places(as_state(state))
+            remember(self._places, state, places, MEMO_SIZE)
         return places.get(person)
 
     def estimates(self, state: Hashable) -> Estimates:
