@@ -51,7 +51,7 @@ class FeedbackGiving:
         chance, slip = self._rng.random(2)
         ready = chance < self._readiness(judgement, mood)
         self._get_used_to(judgement)
-        if ready and self.wish is None and self._calls_for_feedback(judgement):
+        if ready and self.wish is None and calls_for_feedback(self._persona, judgement):
             praise = (judgement.value > 0.0) != (slip < self._persona.mistakes)
             self.wish = Wish(
                 robot=judgement.robot,
@@ -60,11 +60,6 @@ class FeedbackGiving:
                 cause=judgement.cause,
             )
             self._waited = 0.0
-
-    def _calls_for_feedback(self, judgement: Judgement) -> bool:
-        weak = abs(judgement.value) < self._persona.tolerance
-        missed = self._persona.only_when_attending and not judgement.attending
-        return not weak and not missed
 
     def _readiness(self, judgement: Judgement, mood: float) -> float:
         """Chance that a person reacts to a bout that it appraised."""
@@ -81,3 +76,15 @@ class FeedbackGiving:
             fresh[robot] *= 1.0 - persona.habituation * value
         else:
             fresh[robot] += persona.contrast * -value * (1.0 - fresh[robot])
+
+
+def calls_for_feedback(persona: Persona, judgement: Judgement) -> bool:
+    """Whether a bout is one that such a person reacts to at all.
+
+    Args:
+        persona: What kind of person it is.
+        judgement: What it thinks of the bout.
+    """
+    weak = abs(judgement.value) < persona.tolerance
+    missed = persona.only_when_attending and not judgement.attending
+    return not weak and not missed
