@@ -39,15 +39,15 @@ def send_rows(
         rows: The moments.
         total: Sum of each robot's rewards before these rows, shape (n_robots,).
     """
-    moments = rows.decision, rows.time
-    state = [exact(name, getattr(rows, name)) for name in NAMES[2:]]
-    stream.send("state", moments, state)
     _send_people(stream, scenario, rows)
     _send_robots(stream, scenario, rows)
     _send_series(stream, rows, total)
     _send_attention(stream, rows)
     _send_lanes(stream, scenario, rows)
     _send_credit_lanes(stream, scenario, rows)
+    # The exact state comes last: where it is, everything is.
+    state = [exact(name, getattr(rows, name)) for name in NAMES[2:]]
+    stream.send("state", (rows.decision, rows.time), state)
 
 
 def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:

@@ -104,12 +104,13 @@ class Recorder:
     def flush(self) -> None:
         """Writes everything so far."""
         rows = self._buffer.take()
-        if len(rows):
-            send_rows(self._stream, self._scenario, rows, self._total)
-            self._total = self._total + rows.reward.sum(axis=0)
         self._events.send(self._stream)
         self._send_situations()
         self._send_values()
+        # Last, so that of a moment that a torn file holds, nothing is missing.
+        if len(rows):
+            send_rows(self._stream, self._scenario, rows, self._total)
+            self._total = self._total + rows.reward.sum(axis=0)
         self._stream.flush()
         self._written = time.monotonic()
 

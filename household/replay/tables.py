@@ -1,0 +1,118 @@
+"""Tables: the exact columns of a recording, read back as arrays."""
+
+import struct
+import tempfile
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.errors import HouseholdError
+
+Table = dict[str, NDArray[Any]]
+
+HEADER, MESSAGE = 12, struct.Struct("<QQ")
+"""Length of a file's header; kind and length before each of its messages."""
+
+
+def read_tables(path: Path) -> dict[str, Table]:
+    """Reads a recording, also one that a kill cut off.
+
+    Args:
+        path: The file.
+
+    Returns:
+        By entity: its columns in order of time, ``decision`` among them; a column of
+        one number or text for each row has shape (n,), another one (n, width).
+
+    Raises:
+        HouseholdError: If it cannot be read.
+    """
+    if not path.is_file():
+        raise HouseholdError(f"{path}: no such file")
+    parts: dict[str, list[Table]] = {}
+    with _whole_part(path) as whole:
+        for entity, table in _pieces(whole, path):
+            parts.setdefault(entity, []).append(table)
+    return {entity: _merged(tables) for entity, tables in parts.items()}
+
+
+def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
+    from rerun.chunk import RrdReader
+
+    with warnings.catch_warnings():
+        # A file that was cut off has no index at its end, and Rerun says so.
+        warnings.simplefilter("ignore")
+        try:
+            for chunk in RrdReader(str(whole)).stream():
+                entity = chunk.entity_path.strip("/")
+                if entity == "__properties/household" or (
+                    not chunk.is_static and _is_exact(entity)
+                ):
+                    yield entity, _table(chunk.to_record_batch())
+        except RuntimeError as error:
+            reason = str(error).splitlines()[0].replace(str(whole), str(path))
+            raise HouseholdError(f"{path}: {reason}") from None
+
+
+def _is_exact(entity: str) -> bool:
+    return entity in {"state", "touches", "credits"} or entity.startswith("q/")
+
+
+def _table(batch: Any) -> Table:  # noqa: ANN401 - Arrow has no type information
+    columns: Table = {}
+    for field in batch.schema:
+        kind = (field.metadata or {}).get(b"rerun:kind")
+        name = field.name.rpartition(":")[2]
+        if kind == b"data":
+            columns[name] = _array(batch.column(field.name))
+        elif name == "decision":
+            columns[name] = batch.column(field.name).to_numpy()
+    return columns
+
+
+def _array(column: Any) -> NDArray[Any]:  # noqa: ANN401 - Arrow
+    """Numbers as they were, texts as objects; a width of one is left out."""
+    import pyarrow as pa
+
+    rows = len(column)
+    while pa.types.is_nested(column.type):
+        column = column.flatten()
+    text = pa.types.is_string(column.type)
+    flat = np.array(column.to_pylist(), object) if text else column.to_numpy()
+    return flat if len(flat) == rows else flat.reshape(rows, -1)
+
+
+def _merged(tables: list[Table]) -> Table:
+    if "decision" in tables[0]:
+        tables.sort(key=lambda table: int(table["decision"][0]))
+    return {name: np.concatenate([t[name] for t in tables]) for name in tables[0]}
+
+
+@contextmanager
+def _whole_part(path: Path) -> Iterator[Path]:
+    """The file, or a copy without its last message if that was torn by a kill."""
+    data = path.read_bytes()
+    end = _end_of_messages(data)
+    if end == len(data):
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / "whole.rrd"
+        copy.write_bytes(data[:end])
+        yield copy
+
+
+def _end_of_messages(data: bytes) -> int:
+    """Where the last whole message of a file ends."""
+    end = HEADER
+    while end + MESSAGE.size <= len(data):
+        _, length = MESSAGE.unpack_from(data, end)
+        if end + MESSAGE.size + length > len(data):
+            return end
+        end += MESSAGE.size + length
+    return min(end, len(data))
