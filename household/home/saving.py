@@ -1,7 +1,5 @@
 """Writing a home as TOML, so that it can be kept, read, edited and loaded again."""
 
-import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
@@ -29,7 +27,7 @@ def save_floorplan(plan: FloorPlan, path: Path | str) -> None:
 
 
 def to_toml(plan: FloorPlan) -> str:
-    """A home as TOML, one wall, door, room, ... per line.
+    """A home as TOML.
 
     Args:
         plan: The home.
@@ -37,30 +35,4 @@ def to_toml(plan: FloorPlan) -> str:
     Returns:
         Text that reads back as an equal plan.
     """
-    fields: dict[str, object] = msgspec.to_builtins(plan)
-    return "".join(f"{line}\n" for line in _lines(fields))
-
-
-def _lines(fields: dict[str, object]) -> Iterator[str]:
-    for name, value in fields.items():
-        if isinstance(value, list | tuple):
-            yield f"{name} = ["
-            yield from (f"  {_text(item)}," for item in value)
-            yield "]"
-        else:
-            yield f"{name} = {_text(value)}"
-
-
-def _text(value: object) -> str:
-    """A value in TOML's inline form."""
-    if isinstance(value, dict):
-        pairs = (f"{name} = {_text(item)}" for name, item in value.items())
-        return "{ " + ", ".join(pairs) + " }"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_text, value)) + "]"
-    if isinstance(value, str):
-        # JSON's strings are TOML's, but for the delete character.
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    if isinstance(value, bool):
-        return str(value).lower()
-    return repr(value)
+    return msgspec.toml.encode(plan).decode()

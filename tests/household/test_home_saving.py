@@ -6,7 +6,7 @@ import pytest
 from household.errors import HouseholdError
 from household.home.floorplan import load_floorplan
 from household.home.generator import generate
-from household.home.saving import save_floorplan, to_toml
+from household.home.saving import save_floorplan
 from household.records import shipped
 
 PLANS = [
@@ -27,14 +27,6 @@ def test_names_may_hold_any_character(tmp_path):
     plan = msgspec.structs.replace(load_floorplan("studio"), description=odd)
     save_floorplan(plan, tmp_path / "odd.toml")
     assert load_floorplan(str(tmp_path / "odd.toml")).description == odd
-
-
-def test_every_wall_has_a_line_of_its_own():
-    text = to_toml(load_floorplan("studio"))
-    assert "walls = [\n  { from = [0.0, 0.0], to = [7.0, 0.0] },\n" in text
-    assert (
-        "doors = [\n  { from = [0.0, 0.5], to = [0.0, 1.5], open = false },\n" in text
-    )
 
 
 def test_a_file_that_could_not_be_loaded_by_path_is_not_written(tmp_path):
