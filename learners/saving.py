@@ -11,7 +11,6 @@ import dataclasses
 import hashlib
 import json
 import os
-import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import FunctionType
@@ -53,13 +52,15 @@ def write(path: str | Path, learner: object) -> None:
     payload = json.dumps(encode(learner), separators=(",", ":"))
     header = {"format": FORMAT, "version": VERSION, "sha256": _digest(payload)}
     path = Path(path)
-    with tempfile.NamedTemporaryFile(
-        "w", dir=path.parent, prefix=f".{path.name}.", delete=False, encoding="utf-8"
-    ) as file:
-        file.write(f"{json.dumps(header)}\n{payload}\n")
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(file.name, path)
+    unfinished = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        with unfinished.open("w", encoding="utf-8", newline="\n") as file:
+            file.write(f"{json.dumps(header)}\n{payload}\n")
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
 
 
 def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what was saved

@@ -62,23 +62,18 @@ class Personwise(CreditedLearner):
 
     def estimates(self, state: Hashable) -> Estimates:
         """Sum of the opinions of all in the situation, with its deviation."""
-        people = as_state(state).entities
+        people = [(p, self.place(state, p)) for p in as_state(state).entities]
         behaviors = range(self.n_behaviors)
-        opinions = [
-            [self.opinion(p, self.place(state, p), b) for p in people]
-            for b in behaviors
-        ]
+        opinions = [[self.opinion(*each, b) for each in people] for b in behaviors]
         return Estimates(
             [sum(mean for mean, _ in each) for each in opinions],
-            [self._visits(state, people, b) for b in behaviors],
+            [sum(self._touches(at, b) for _, at in people) for b in behaviors],
             [sum(variance for _, variance in each) ** 0.5 for each in opinions],
         )
 
-    def _visits(
-        self, state: Hashable, people: Sequence[Hashable], behavior: int
-    ) -> float:
-        told = (self.opinions.get((self.place(state, p), behavior), {}) for p in people)
-        return sum(touches for each in told for touches, _ in each.values())
+    def _touches(self, place: Hashable, behavior: int) -> float:
+        told = self.opinions.get((place, behavior), {})
+        return sum(touches for touches, _ in told.values())
 
     def _absorb(self, assignments: Sequence[Assignment]) -> None:
         touches = [
