@@ -12,7 +12,7 @@ from household.home.check import problems as home_problems
 from household.home.routes import routes_of
 from household.people.norms import Norms
 from household.people.persona import load_persona
-from household.people.places import Places
+from household.people.places import APART, Places
 from household.records import Point
 from household.robots.behavior import catalogue
 from household.scenario import (
@@ -205,10 +205,6 @@ def _first_spots(scenario: Scenario) -> Iterator[tuple[str, Point]]:
             spot = places.claim(index, place)
             if not person.start:
                 yield f"people[{index}] in its first place", spot
-
-
-APART = 0.5
-"""Least distance between the centers of two bodies at the beginning [m]."""
 
 
 def _misplaced(scenario: Scenario, point: Point) -> str:

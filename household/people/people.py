@@ -61,6 +61,7 @@ class People:
             )
         ]
         self._starts = [spec.start for spec in scenario.people]
+        self._robots = [spec.position for spec in scenario.robots]
         self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
             len(self.everyone), len(Activity), 2, -1
         )
@@ -79,10 +80,13 @@ class People:
         """
         self.places.clear()
         position = np.zeros((len(self.everyone), 2))
+        taken = [*self._robots, *filter(None, self._starts)]
         for i, (person, rng) in enumerate(zip(self.everyone, rngs, strict=True)):
             person.begin(rng)
             spot = self.places.claim(i, person.intention.place)
-            position[i] = self._starts[i] or spot
+            begin = self._starts[i] or self.places.beside(spot, taken)
+            taken.append(begin)
+            position[i] = begin
         self.locate(position)
         return position
 

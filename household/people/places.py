@@ -1,6 +1,7 @@
 """Places: the spots in activity regions where people stand, each for one person."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,9 @@ BODY = 0.5
 
 SPOTS_ON_RING = 6
 
+APART = 0.5
+"""Least distance between two who begin an episode [m]: two bodies side by side."""
+
 
 class Places:
     """Activity regions with their spots, and who has claimed which.
@@ -30,7 +34,7 @@ class Places:
         self.regions = plan.regions
         self._circles = plan.region_circles
         self._roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
-        routes = routes_of(plan)
+        self._routes = routes = routes_of(plan)
         self._spots = [
             [
                 spot
@@ -82,6 +86,20 @@ class Places:
             self._claims[person] = (region, next(free, 0))
         return self._spots[region][self._claims[person][1]]
 
+    def beside(self, spot: Point, taken: Sequence[Point]) -> Point:
+        """The spot itself, or where it is taken, a free one as near as may be.
+
+        Args:
+            spot: Where a body fits [m].
+            taken: Where others are [m].
+        """
+        for ring in range(len(taken) + 1):
+            for x, y in _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring)):
+                fits = self._routes.connects(np.array([x, y]), np.array(spot))
+                if fits and all(math.dist((x, y), o) >= APART - 1e-9 for o in taken):
+                    return x, y
+        return spot
+
     def at(self, position: NDArray[np.float64]) -> NDArray[np.intp]:
         """The region that each point is in, -1 outside all.
 
@@ -105,9 +123,11 @@ def _spots(region: Region) -> list[Point]:
     ring = region.radius - EDGE
     if ring < BODY:
         return [region.center]
-    angles = [2 * math.pi * i / SPOTS_ON_RING for i in range(SPOTS_ON_RING)]
-    x, y = region.center
-    return [
-        region.center,
-        *((x + ring * math.cos(a), y + ring * math.sin(a)) for a in angles),
-    ]
+    return [region.center, *_ring(region.center, ring, SPOTS_ON_RING)]
+
+
+def _ring(center: Point, radius: float, n: int) -> list[Point]:
+    """Spots that are spread evenly round a point [m]."""
+    angles = [2 * math.pi * i / n for i in range(n)]
+    x, y = center
+    return [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
