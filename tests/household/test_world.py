@@ -1,0 +1,296 @@
+"""Bodies in a home: what is solid, who pushes whom, and the ways round it."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from household import household_v0
+from household.crowd import Crowd
+from household.home.floorplan import Door, Furniture, load_floorplan
+from household.home.routes import distance_to_box, distance_to_segments, routes_of
+from household.records import shipped
+from household.world import World
+
+HOMES = tuple(shipped("home/homes"))
+PERSON, ROBOT = 0.25, 0.15
+OVERLAP = 0.01  # Nobody overlaps a wall by more than this [m].
+
+
+def people(n):
+    return np.full(n, PERSON), np.full(n, 70.0)
+
+
+def deepest(plan, position, radius):
+    """How far bodies overlap walls and furniture [m]; negative: clear of all."""
+    gap = distance_to_segments(position, plan.wall_segments).min(axis=1)
+    depth = plan.wall_thickness / 2 + radius - gap
+    for box in plan.furniture:
+        away = distance_to_box(position, box.center, box.size, box.angle)
+        depth = np.maximum(depth, radius - away)
+    return float(depth.max())
+
+
+@pytest.fixture
+def crowd_in():
+    def make(plan, position, speed=1.2):
+        n = len(position)
+        crowd = Crowd(plan, *people(n), np.full(n, speed), 0.2, 0.1)
+        crowd.place(np.array(position, dtype=float), np.zeros(n))
+        return crowd
+
+    return make
+
+
+def walk(crowd, goals, most):
+    """Sends everybody on its way; returns when each arrived [s] and all positions."""
+    for i, goal in enumerate(goals):
+        assert crowd.send(i, goal, 0.0)
+    arrived, track = {}, [crowd.position]
+    for moment in range(round(most / 0.2)):
+        crowd.advance()
+        track.append(crowd.position)
+        for i in range(len(goals)):
+            if i not in arrived and not crowd.walks(i):
+                arrived[i] = 0.2 * (moment + 1)
+    return arrived, np.array(track)
+
+
+@pytest.mark.parametrize("pace", [1.2, 3.0])
+def test_nobody_passes_a_wall_however_it_runs_against_it(room, pace):
+    box = Furniture(name="box", center=(5.5, 2.5), size=(1.0, 1.0), angle=30.0)
+    plan = room(walls=((4.0, 0.0, 4.0, 5.0),), furniture=(box,))
+    rng = np.random.default_rng(1)
+    position = np.array([[1.0, 1.0], [2.5, 4.0], [6.0, 0.6], [7.0, 4.2]])
+    west = position[:, 0] < 4.0
+    world = World(plan, *people(4))
+    world.place(position)
+    for _ in range(60):
+        angle = rng.uniform(0.0, 2 * math.pi, 4)
+        velocity = pace * np.column_stack([np.cos(angle), np.sin(angle)])
+        for _ in range(10):
+            position = world.advance(velocity, 0.1, 2)
+            assert deepest(plan, position, PERSON) <= OVERLAP
+    np.testing.assert_array_equal(position[:, 0] < 4.0, west)
+
+
+def test_a_crowd_that_presses_into_a_corner_presses_nobody_into_the_wall(room):
+    plan = room()
+    start = [(0.5 + 0.6 * i, 0.5 + 0.6 * j) for i in range(4) for j in range(3)]
+    world = World(plan, *people(12))
+    world.place(np.array(start))
+    for _ in range(50):
+        velocity = np.full((12, 2), -1.2)
+        position = world.advance(velocity, 0.1, 2)
+        assert deepest(plan, position, PERSON) <= OVERLAP
+
+
+def test_bodies_push_each_other_and_the_heavy_one_yields_less(room):
+    world = World(room(), np.array([PERSON, ROBOT]), np.array([70.0, 2.0]))
+    world.place(np.array([[2.0, 2.5], [3.0, 2.5]]))
+    for _ in range(10):
+        position = world.advance(np.array([[1.2, 0.0], [0.0, 0.0]]), 0.1, 2)
+    assert position[1, 0] > 3.5
+    # Bodies are soft, but not so soft that one walks through the other.
+    assert position[1, 0] - position[0, 0] > PERSON
+    world.place(np.array([[2.0, 2.5], [3.0, 2.5]]))
+    for _ in range(10):
+        position = world.advance(np.array([[0.0, 0.0], [-0.5, 0.0]]), 0.1, 2)
+    assert abs(position[0, 0] - 2.0) < 0.2
+
+
+def test_who_stands_alone_stays_where_it_is(room):
+    world = World(room(), *people(1))
+    world.place(np.array([[2.0, 2.5]]))
+    assert world.advance(np.zeros((1, 2)), 0.1, 50).tolist() == [[2.0, 2.5]]
+
+
+def test_a_free_body_moves_as_fast_as_it_is_told(room):
+    world = World(room(), *people(1))
+    world.place(np.array([[2.0, 2.5]]))
+    moved = world.advance(np.array([[1.2, -0.5]]), 0.1, 10)
+    np.testing.assert_allclose(moved, [[3.2, 2.0]], atol=1e-9)
+
+
+def length(start, way):
+    return sum(math.dist(a, b) for a, b in itertools.pairwise([start, *way]))
+
+
+def test_the_way_round_a_box_is_the_taut_string_within_a_few_percent(room):
+    """From 2 m before the box to 2 m behind it, its corners cleared by 0.3 m.
+
+    The string runs tangentially to the circle round the first corner, 2.236 m away:
+    sqrt(5 - 0.09) = 2.216 m; round it by 34.27 degrees, 0.179 m; 2 m along the side;
+    and the same again: 6.791 m.
+    """
+    box = Furniture(name="box", center=(4.0, 2.5), size=(2.0, 2.0))
+    routes = routes_of(room(size=(8.0, 6.0), furniture=(box,)))
+    start, goal = (1.0, 2.5), (7.0, 2.5)
+    way = routes.plan(np.array(start), np.array(goal))
+    # A grid cell of 0.1 m may round the corner a little on either side.
+    assert 0.98 * 6.791 < length(start, way) < 1.04 * 6.791
+
+
+def test_the_way_through_the_nearer_of_two_doors_is_taken(room):
+    """Through (4, 1): twice hypot(3, 1.5), 6.708 m; through the other, 7.81 m."""
+    walls = ((4.0, 0.0, 4.0, 0.5), (4.0, 1.5, 4.0, 4.0), (4.0, 4.9, 4.0, 5.0))
+    start, goal = (1.0, 2.5), (7.0, 2.5)
+    way = routes_of(room(walls=walls)).plan(np.array(start), np.array(goal))
+    assert 0.98 * 6.708 < length(start, way) < 1.05 * 6.708
+
+
+def test_a_free_line_is_walked_straight(room):
+    way = routes_of(room()).plan(np.array([1.0, 1.0]), np.array([7.0, 4.0]))
+    np.testing.assert_allclose(way, [(7.0, 4.0)])
+
+
+def test_no_way_leads_through_a_wall_without_a_door(room):
+    routes = routes_of(room(walls=((4.0, 0.0, 4.0, 5.0),)))
+    assert len(routes.plan(np.array([1.0, 1.0]), np.array([7.0, 1.0]))) == 0
+
+
+@pytest.mark.parametrize(("is_open", "leads"), [(True, True), (False, False)])
+def test_a_way_leads_through_an_open_door_and_not_through_a_closed_one(
+    room, is_open, leads
+):
+    plan = room(
+        walls=((4.0, 0.0, 4.0, 2.0), (4.0, 3.0, 4.0, 5.0)),
+        doors=(Door(start=(4.0, 2.0), end=(4.0, 3.0), open=is_open),),
+    )
+    way = routes_of(plan).plan(np.array([1.0, 1.0]), np.array([7.0, 1.0]))
+    assert (len(way) > 0) == leads
+
+
+@pytest.mark.parametrize("home", HOMES)
+def test_ways_through_shipped_homes_keep_a_body_clear_of_everything_solid(home):
+    plan = load_floorplan(home)
+    routes = routes_of(plan)
+    rng = np.random.default_rng(2)
+    centers = [np.array(region.center) for region in plan.regions]
+    free = np.argwhere(
+        routes.free & (routes.parts == routes.parts[routes.cell(centers[0])])
+    )
+    corner = plan.lower - 0.6
+    starts = [
+        corner + (cell + rng.random(2)) * 0.1 for cell in rng.permutation(free)[:6]
+    ]
+    for start, goal in itertools.product([*centers, *starts], centers):
+        way = routes.plan(start, goal)
+        assert len(way) > 0
+        assert math.dist(way[-1], goal) < 0.2
+        points = [start, *map(np.array, way)]
+        line = np.vstack(
+            [
+                a + np.linspace(0, 1, 60)[:, None] * (b - a)
+                for a, b in itertools.pairwise(points)
+            ]
+        )
+        # The rim of a cell is up to 0.07 m from its middle, which is clear by 0.3 m.
+        assert deepest(plan, line, PERSON) <= 0.02
+
+
+def test_a_walk_takes_as_long_as_its_way_at_the_walking_speed(room, crowd_in):
+    arrived, _ = walk(crowd_in(room(), [(1.0, 2.5)]), [(7.0, 2.5)], most=8.0)
+    assert 5.0 - 0.05 <= arrived[0] <= 5.0 + 0.2
+
+
+def test_two_people_pass_each_other_in_a_corridor(room, crowd_in):
+    """1.4 m between the walls, 0.5 m a body: there is room for both."""
+    plan = room(walls=((0.0, 1.5, 8.0, 1.5), (0.0, 3.0, 8.0, 3.0)))
+    crowd = crowd_in(plan, [(1.0, 2.25), (7.0, 2.25)])
+    arrived, track = walk(crowd, [(7.0, 2.25), (1.0, 2.25)], most=15.0)
+    assert set(arrived) == {0, 1}
+    np.testing.assert_allclose(track[-1], [[7.0, 2.25], [1.0, 2.25]], atol=0.1)
+    apart = np.linalg.norm(track[:, 0] - track[:, 1], axis=1)
+    assert apart.min() > PERSON
+    assert max(deepest(plan, moment, PERSON) for moment in track) <= OVERLAP
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.1, -0.3])
+def test_two_people_who_meet_in_a_doorway_both_get_through(room, crowd_in, offset):
+    """0.9 m wide: only one at a time fits, and they meet right in it."""
+    plan = room(walls=((4.0, 0.0, 4.0, 2.05), (4.0, 2.95, 4.0, 5.0)))
+    crowd = crowd_in(plan, [(1.0, 2.5), (7.0 + offset, 2.5)])
+    arrived, track = walk(crowd, [(7.0, 2.5), (1.0, 2.5)], most=40.0)
+    assert set(arrived) == {0, 1}
+    np.testing.assert_allclose(track[-1], [[7.0, 2.5], [1.0, 2.5]], atol=0.1)
+
+
+def test_four_people_change_sides_through_one_doorway(room, crowd_in):
+    plan = room(walls=((4.0, 0.0, 4.0, 2.05), (4.0, 2.95, 4.0, 5.0)))
+    west, east = [(1.0, 1.0), (1.0, 4.0)], [(7.0, 1.0), (7.0, 4.0)]
+    crowd = crowd_in(plan, west + east)
+    arrived, track = walk(crowd, east + west, most=60.0)
+    assert set(arrived) == {0, 1, 2, 3}
+    assert (track[-1][:2, 0] > 4.0).all()
+    assert (track[-1][2:, 0] < 4.0).all()
+
+
+def test_who_stands_in_the_way_is_walked_round(room, crowd_in):
+    crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
+    assert crowd.send(0, (7.0, 2.5), 0.0)
+    for _ in range(50):
+        crowd.advance()
+    np.testing.assert_allclose(crowd.position[0], [7.0, 2.5], atol=0.1)
+    assert math.dist(crowd.position[1], (4.0, 2.5)) < 0.5
+
+
+def test_heads_turn_no_faster_than_they_can_and_the_shorter_way(room, crowd_in):
+    crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
+    crowd.gaze[:] = math.radians(170.0), 0.0
+    most = np.radians([30.0, 30.0])
+    crowd.turn_heads(np.radians([-170.0, 10.0]), most)
+    turned = np.degrees(crowd.gaze) % 360.0
+    np.testing.assert_allclose(turned, [190.0, 10.0])
+    crowd.turn_heads(np.radians([-90.0, 180.0]), most)
+    assert np.degrees(crowd.gaze[0]) % 360.0 == pytest.approx(220.0)
+    assert abs(np.degrees(crowd.gaze[1]) - 10.0) == pytest.approx(30.0)
+
+
+def test_nobody_begins_inside_anything_solid_or_anybody_else(shipped_scenario):
+    env = household_v0.parallel_env(shipped_scenario)
+    n, robots = len(env.people.everyone), len(env.possible_agents)
+    radius = np.array([PERSON] * n + [ROBOT] * robots)
+    for seed in range(5):
+        env.reset(seed=seed)
+        position = env.crowd.position
+        assert deepest(env.scenario.plan, position, radius) <= OVERLAP
+        gap = np.linalg.norm(position[:, None] - position, axis=2)
+        touching = radius[:, None] + radius - OVERLAP
+        np.fill_diagonal(gap, np.inf)
+        assert (gap > touching).all()
+
+
+def soak(scenario, decisions):
+    """Nobody outdoors, in a wall, or walking on the spot for more than 30 s."""
+    env = household_v0.parallel_env(scenario)
+    plan = env.scenario.plan
+    n, robots = len(env.people.everyone), len(env.possible_agents)
+    radius = np.array([PERSON] * n + [ROBOT] * robots)
+    rng = np.random.default_rng(3)
+    since, there = np.zeros(n), np.zeros((n, 2))
+    for decision in range(decisions):
+        if not env.agents:
+            env.reset(seed=0 if decision == 0 else None)
+            since[:], there[:] = 0.0, env.crowd.position[:n]
+        env.step({a: int(rng.integers(len(env.behaviors))) for a in env.agents})
+        position = env.crowd.position
+        assert (position > plan.lower).all()
+        assert (position < plan.upper).all()
+        assert deepest(plan, position, radius) <= OVERLAP
+        walks = np.array([env.crowd.walks(i) for i in range(n)])
+        moved = np.linalg.norm(position[:n] - there, axis=1) > 0.5
+        restart = moved | ~walks
+        since[restart] = env.time
+        there[restart] = position[:n][restart]
+        assert (env.time - since <= 30.0).all(), f"decision {decision}"
+
+
+def test_nobody_leaves_sinks_or_gets_stuck(shipped_scenario):
+    soak(shipped_scenario, 250)
+
+
+@pytest.mark.slow
+def test_nobody_of_twelve_leaves_sinks_or_gets_stuck_in_100_000_decisions():
+    soak("party", 100_000)
