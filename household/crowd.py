@@ -133,7 +133,7 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        way = self._routes.plan(self.position[i], np.array(goal))
+        way = self._routes.plan(self._where(i), goal)
         if not way:
             self.halt(i)
             return False
@@ -202,14 +202,19 @@ class Crowd:
             self._settled[i] = goal
             return
         self._sidesteps += 1
-        angle = self._sidesteps * GOLDEN_ANGLE
-        aside = self.position[i] + SIDESTEP * np.array(
-            [math.cos(angle), math.sin(angle)]
+        angle, here = self._sidesteps * GOLDEN_ANGLE, self._where(i)
+        aside = (
+            here[0] + SIDESTEP * math.cos(angle),
+            here[1] + SIDESTEP * math.sin(angle),
         )
-        way = self._routes.plan(self.position[i], aside)
-        way += self._routes.plan(np.array(way[-1]), np.array(goal)) if way else []
+        way = self._routes.plan(here, aside)
+        way += self._routes.plan(way[-1], goal) if way else []
         if way:
             self._take(i, way)
+
+    def _where(self, i: int) -> tuple[float, float]:
+        x, y = self.position[i].tolist()
+        return x, y
 
     def turn_heads(self, target: Array, most: Array) -> None:
         """Turns every head towards where it wants to look.

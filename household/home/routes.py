@@ -1,8 +1,7 @@
 """Ways through a home: shortest walks round walls and furniture.
 
 A person's center may be wherever its body clears everything solid. That free space
-is a grid; shortest paths on it come from SciPy's Dijkstra and are pulled straight
-wherever the straight line is free.
+is a grid; shortest ways on it are pulled straight wherever the straight line is free.
 """
 
 from functools import cached_property, lru_cache, reduce
@@ -10,10 +9,16 @@ from functools import cached_property, lru_cache, reduce
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.sparse.csgraph import connected_components
 
 from household.home.floorplan import FloorPlan
-from household.home.straight import line_is_free, turning_points
+from household.home.straight import (
+    cells_between,
+    line_is_free,
+    onward_to,
+    turning_points,
+)
+from household.records import Point
 
 CELL = 0.1
 """Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
@@ -35,6 +40,7 @@ class Routes:
 
     def __init__(self, plan: FloorPlan) -> None:
         self._origin = plan.lower - MARGIN
+        self._corner: Point = (float(self._origin[0]), float(self._origin[1]))
         shape = np.ceil((plan.upper + MARGIN - self._origin) / CELL).astype(int)
         self._shape: tuple[int, int] = (int(shape[0]), int(shape[1]))
         self.free = self._clear_of(plan)
@@ -81,13 +87,18 @@ class Routes:
         _, labels = connected_components(self._graph, directed=False)
         return labels.astype(np.int32).reshape(self._shape)
 
-    def cell(self, point: Array) -> tuple[int, int]:
+    def cell(self, point: Point | Array) -> tuple[int, int]:
         """The grid cell that holds a point, clipped to the grid."""
-        x, y = ((np.asarray(point) - self._origin) / CELL).astype(int)
+        x, y = self._in_cells(point)
         return (
             min(max(int(x), 0), self._shape[0] - 1),
             min(max(int(y), 0), self._shape[1] - 1),
         )
+
+    def _in_cells(self, point: Point | Array) -> Point:
+        """A point in cells from the grid's corner."""
+        left, lower = self._corner
+        return (float(point[0]) - left) / CELL, (float(point[1]) - lower) / CELL
 
     def is_indoors(self, point: Array) -> bool:
         """Whether a body fits at a point that the walls close off from outside."""
@@ -100,38 +111,37 @@ class Routes:
         fits = bool(self.free[a]) and bool(self.free[b])
         return fits and bool(self.parts[a] == self.parts[b])
 
-    def nearest_free(self, point: Array) -> tuple[int, int]:
+    def nearest_free(self, point: Point | Array) -> tuple[int, int]:
         """The indoor free cell nearest to a point, itself if it is free."""
         cell = self.cell(point)
-        if self.free[cell] and self.parts[cell] != self.parts[0, 0]:
+        if self._indoors[cell]:
             return cell
         cells = self._indoor_cells
         centers = self._origin + (cells + 0.5) * CELL
-        best = cells[np.argmin(((centers - point) ** 2).sum(axis=1))]
-        return (int(best[0]), int(best[1]))
+        away = ((centers - np.asarray(point)) ** 2).sum(axis=1)
+        x, y = cells[np.argmin(away)]
+        return (int(x), int(y))
+
+    @cached_property
+    def _indoors(self) -> NDArray[np.bool_]:
+        return self.free & (self.parts != self.parts[0, 0])
 
     @cached_property
     def _indoor_cells(self) -> NDArray[np.intp]:
-        return np.argwhere(self.free & (self.parts != self.parts[0, 0]))
+        return np.argwhere(self._indoors)
 
     @lru_cache(maxsize=1024)  # noqa: B019 - as long-lived as the cached Routes itself
     def _towards(self, goal: tuple[int, int]) -> NDArray[np.int32]:
-        """For each cell the next cell on its shortest way to a goal; -9999 if none."""
-        _, predecessors = dijkstra(
-            self._graph,
-            directed=False,
-            indices=goal[0] * self._shape[1] + goal[1],
-            return_predecessors=True,
-        )
-        return predecessors.astype(np.int32)
+        """For each cell the next cell on its shortest way to a goal."""
+        return onward_to(self.free, goal[0] * self._shape[1] + goal[1])
 
-    def plan(self, start: Array, goal: Array) -> list[tuple[float, float]]:
+    def plan(self, start: Point, goal: Point) -> list[Point]:
         """Waypoints of a short walk.
 
         Args:
-            start: Where the walk begins, shape (2,) [m].
-            goal: Where it should end, shape (2,) [m]; where no body fits, the
-                nearest place where one does.
+            start: Where the walk begins [m].
+            goal: Where it should end [m]; where no body fits, the nearest place
+                where one does.
 
         Returns:
             Points [m] to walk to one after the other, the last one nearest to the
@@ -140,39 +150,28 @@ class Routes:
         first, last = self.nearest_free(start), self.nearest_free(goal)
         if self.parts[first] != self.parts[last]:
             return []
-        end = np.asarray(goal, dtype=np.float64)
-        if self.cell(end) != last:
-            end = self._center(last)
-        if self.line_is_free(np.asarray(start, dtype=np.float64), end):
-            return [(float(end[0]), float(end[1]))]
-        return self._pulled_straight(self._cells_between(first, last), end)
+        end = goal if self.cell(goal) == last else self._center(last)
+        if self.line_is_free(start, end):
+            return [end]
+        return self._pulled_straight(first, last, end)
 
-    def _cells_between(self, first: tuple[int, int], last: tuple[int, int]) -> Array:
-        """Centers of the cells on the shortest way, both ends included, (n, 2)."""
-        onward = self._towards(last)
-        width = self._shape[1]
-        cells, here = [first], first[0] * width + first[1]
-        while (here := int(onward[here])) >= 0:
-            cells.append(divmod(here, width))
-        return self._origin + (np.array(cells) + 0.5) * CELL
+    def _pulled_straight(
+        self, first: tuple[int, int], last: tuple[int, int], end: Point
+    ) -> list[Point]:
+        """The points at which the shortest way between two cells must turn."""
+        height = self._shape[1]
+        way = cells_between(self._towards(last), first[0] * height + first[1], height)
+        points = np.vstack([way, self._in_cells(end)])
+        turns = points[turning_points(self.free, points)[:-1]]
+        return [(x, y) for x, y in (self._origin + turns * CELL).tolist()] + [end]
 
-    def _pulled_straight(self, path: Array, end: Array) -> list[tuple[float, float]]:
-        """Keeps only the points at which the walk must turn."""
-        points = np.vstack([path, end])
-        kept = turning_points(self.free, (points - self._origin) / CELL)
-        return [(float(x), float(y)) for x, y in points[kept]]
-
-    def line_is_free(self, start: Array, end: Array) -> bool:
+    def line_is_free(self, start: Point, end: Point) -> bool:
         """Whether a body can walk straight from one point to another."""
-        return bool(
-            line_is_free(
-                self.free, (start - self._origin) / CELL, (end - self._origin) / CELL
-            )
-        )
+        return bool(line_is_free(self.free, self._in_cells(start), self._in_cells(end)))
 
-    def _center(self, cell: tuple[int, int]) -> Array:
-        center: Array = self._origin + (np.array(cell) + 0.5) * CELL
-        return center
+    def _center(self, cell: tuple[int, int]) -> Point:
+        x, y = self._origin + (np.array(cell) + 0.5) * CELL
+        return float(x), float(y)
 
 
 def _shifted(dx: int, dy: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
