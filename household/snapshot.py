@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.people.feedback import Cause, Feedback
+from household.robots.robots import Robots
 from household.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -93,25 +94,33 @@ def layout(scenario: Scenario) -> dict[str, tuple[tuple[int, ...], type]]:
 
 
 def snapshot(home: "Household") -> Snapshot:
-    """Takes a snapshot; later steps do not change it."""
+    """Takes a snapshot; later steps do not change it.
+
+    Only what the environment changes in place is copied; it makes the rest anew.
+    """
     crowd, senses, robots = home.crowd, home.senses, home.robots
     everyone, bouts = home.people.everyone, robots.bouts
+    touched = any(robots.feedback)
     return Snapshot(
         decision=home.decision,
         time=home.time,
-        position=crowd.position.copy(),
+        position=crowd.position,
         heading=crowd.heading.copy(),
-        gaze=crowd.gaze.copy(),
+        gaze=crowd.gaze,
         half_view=np.array([person.half_view for person in everyone]),
-        activity=home.people.activity.copy(),
-        attends=senses.attends.copy(),
-        attention=senses.attention.copy(),
+        activity=home.people.activity,
+        attends=senses.attends,
+        attention=senses.attention,
         mood=np.array([person.mood for person in everyone]),
         behavior=np.array([bout.behavior for bout in bouts]),
         begun=np.array([bout.decision for bout in bouts]),
-        reward=np.array([float(sum(t.value for t in f)) for f in robots.feedback]),
-        touches=_touches(home) if any(robots.feedback) else (),
+        reward=_rewards(robots) if touched else np.zeros(len(bouts)),
+        touches=_touches(home) if touched else (),
     )
+
+
+def _rewards(robots: Robots) -> Array:
+    return np.array([float(sum(t.value for t in f)) for f in robots.feedback])
 
 
 def _touches(home: "Household") -> tuple[Touch, ...]:

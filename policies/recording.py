@@ -31,7 +31,7 @@ class RecordingObserver(Observer):
         path: Path | str | None,
         *,
         watch: bool = False,
-        flush_every: int = 1000,
+        flush_every: int = 2000,
     ) -> None:
         self._path = None if path is None else Path(path)
         self._watch, self._flush_every = watch, flush_every

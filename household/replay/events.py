@@ -65,7 +65,12 @@ class Belief:
 
 @dataclass
 class Marks:
-    """Things that stay for a while and then go."""
+    """Things that stay for a while and then go.
+
+    Attributes:
+        stay: For how many decisions.
+        items: Since which decision, in order, and what.
+    """
 
     stay: int
     items: list[tuple[int, Any]] = field(default_factory=list)
@@ -77,15 +82,16 @@ class Marks:
             first: First decision asked for; things that are gone before are forgotten.
             last: Last decision asked for.
         """
-        starts = [at for at, _ in self.items]
-        at = sorted(
-            {t for s in starts for t in (s, s + self.stay) if first <= t <= last}
-        )
-        groups = [
-            [item for start, item in self.items if start <= t < start + self.stay]
-            for t in at
-        ]
-        self.items = [(s, item) for s, item in self.items if s + self.stay > last]
+        changes = {t for at, _ in self.items for t in (at, at + self.stay)}
+        at = sorted(t for t in changes if first <= t <= last)
+        groups, begin, end = [], 0, 0
+        for moment in at:
+            while end < len(self.items) and self.items[end][0] <= moment:
+                end += 1
+            while begin < end and self.items[begin][0] + self.stay <= moment:
+                begin += 1
+            groups.append([item for _, item in self.items[begin:end]])
+        self.items = [(t, item) for t, item in self.items if t + self.stay > last]
         return at, groups
 
 
@@ -167,7 +173,8 @@ class Events:
             if name == "touches":
                 _send_touch_marks(stream, moments, flat, sizes)
             else:
-                lines = rr.LineStrips2D.columns(strips=flat).partition(sizes)
+                strips = np.array(flat, dtype=np.float32).reshape(-1, 2, 2)
+                lines = rr.LineStrips2D.columns(strips=strips).partition(sizes)
                 stream.send(f"world/{name}", moments, lines)
 
     def _send_touches(self, stream: Stream) -> None:
@@ -178,22 +185,17 @@ class Events:
         causes = [touch.cause for touch in touches]
         moments = self._moments(snapshot.decision for snapshot, _ in self._touches)
         stream.send("touches", moments, touch_columns(touches))
-        at = np.array(
-            [
-                (f.time * self._second, self._lane(t.robot))
-                for f, t in zip(felt, touches, strict=True)
-            ]
+        at = self._on_lanes(
+            [(f.time, t.robot) for f, t in zip(felt, touches, strict=True)]
         )
         points = rr.Points2D.columns(
             positions=at,
             colors=packed([_color(f.value) for f in felt]),
         )
         stream.send("credit/past/touches", moments, points)
-        arcs = [
-            arc(tuple(point), (cause.time * self._second, self._lane(cause.robot)), 1.0)
-            for point, cause in zip(at, causes, strict=True)
-        ]
-        stream.send("credit/past/true", moments, rr.LineStrips2D.columns(strips=arcs))
+        meant = self._on_lanes([(cause.time, cause.robot) for cause in causes])
+        true = rr.LineStrips2D.columns(strips=arcs(at, meant, 1.0))
+        stream.send("credit/past/true", moments, true)
         text = [self._told(touch) for touch in touches]
         level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
         stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
@@ -210,22 +212,22 @@ class Events:
         at = self._moments(decision for decision, _, _ in shares)
         pairs = [(belief, share) for _, belief, share in shares]
         stream.send("credits", at, self._share_columns(pairs))
-        arcs = [self._arc(belief, share) for belief, share in pairs]
+        touched = self._on_lanes([(b.time, b.robot) for b, _ in pairs])
+        meant = self._on_lanes([(share.time, b.robot) for b, share in pairs])
+        bows = arcs(touched, meant, -1.0)
         radii = np.array([0.005 + 0.025 * min(share.weight, 1.0) for _, share in pairs])
-        lines = rr.LineStrips2D.columns(strips=arcs, radii=radii)
+        lines = rr.LineStrips2D.columns(strips=bows, radii=radii)
         stream.send("credit/past/believed", at, lines)
         text = [self._told_belief(belief) for _, belief in self._beliefs]
         level = ["DEBUG"] * len(text)
         stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
 
-    def _lane(self, robot: str) -> float:
-        return self._robots[robot] * LANE
-
-    def _arc(self, belief: Belief, share: Share) -> Array:
-        lane = self._lane(belief.robot)
-        return arc(
-            (belief.time * self._second, lane), (share.time * self._second, lane), -1.0
-        )
+    def _on_lanes(self, events: Sequence[tuple[float, str]]) -> Array:
+        """Where times [s] and robots are in the picture of credit, shape (n, 2)."""
+        points = [
+            (time * self._second, self._robots[robot] * LANE) for time, robot in events
+        ]
+        return np.array(points, dtype=np.float64).reshape(-1, 2)
 
     def _share_columns(self, pairs: Sequence[tuple[Belief, Share]]) -> list[Any]:
         chosen = [belief.designated is share for belief, share in pairs]
@@ -301,19 +303,23 @@ def touch_columns(touches: Sequence[Touch]) -> list[Any]:
     ]
 
 
-def arc(start: Point, end: Point, side: float) -> Array:
-    """A bow between two points in the picture of credit, shape (n_points, 2).
+def arcs(start: Array, end: Array, side: float) -> NDArray[np.float32]:
+    """Bows between points in the picture of credit.
 
     Args:
-        start: Where it begins.
-        end: Where it ends.
+        start: Where they begin, shape (n, 2).
+        end: Where they end, shape (n, 2).
         side: -1 bows upwards, 1 downwards.
+
+    Returns:
+        Shape (n, n_points, 2).
     """
-    along = np.linspace(0.0, 1.0, 13)[:, None]
-    height = side * LANE * min(0.42, 0.12 + 0.3 * abs(start[0] - end[0]))
-    bow = np.hstack([0 * along, height * 4 * along * (1 - along)])
-    line: Array = (1 - along) * np.array(start) + along * np.array(end) + bow
-    return line
+    along = np.linspace(0.0, 1.0, 13)[None, :, None]
+    bows = (1 - along) * start[:, None] + along * end[:, None]
+    height = np.minimum(0.42, 0.12 + 0.3 * np.abs(start[:, 0] - end[:, 0]))
+    rise = 4 * along * (1 - along) * height[:, None, None]
+    bows[..., 1:] += side * LANE * rise
+    return bows.astype(np.float32)
 
 
 def _color(value: float) -> str:

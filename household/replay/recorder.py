@@ -21,8 +21,9 @@ from household.snapshot import Snapshot, situations, snapshot
 if TYPE_CHECKING:
     from household.environment import Household
 
-FLUSH_EVERY = 1000
-"""Decisions between writes to the file; a killed process loses no more than these."""
+FLUSH_EVERY = 2000
+"""Decisions between writes to the file; a killed process loses no more than these,
+which is a second or so of simulation."""
 
 WATCH_EVERY = 0.5
 """Time between writes while somebody watches [s of the wall clock]."""

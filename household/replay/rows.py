@@ -1,5 +1,6 @@
 """Rows: snapshots kept in preallocated arrays until they are written out."""
 
+import math
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -37,6 +38,9 @@ class Rows:
         return len(self.decision)
 
 
+MOST_BYTES = 32 << 20
+"""Of memory for a buffer; a large crowd is written out more often."""
+
 NAMES = tuple(field.name for field in fields(Rows))
 
 
@@ -45,10 +49,13 @@ class Buffer:
 
     Args:
         scenario: Whose snapshots.
-        capacity: How many.
+        capacity: How many; fewer, if they would need more than `MOST_BYTES`.
     """
 
     def __init__(self, scenario: Scenario, capacity: int) -> None:
+        shapes = layout(scenario).values()
+        bytes_each = sum(8 * math.prod(shape) for shape, _ in shapes)
+        capacity = max(1, min(capacity, MOST_BYTES // bytes_each))
         self._arrays: dict[str, NDArray[Any]] = {
             "decision": np.zeros(capacity, dtype=np.int64),
             "time": np.zeros(capacity),

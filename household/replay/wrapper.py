@@ -25,7 +25,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         folder: Path | str,
         *,
         watch: bool = False,
-        flush_every: int = 1000,
+        flush_every: int = 2000,
     ) -> None:
         super().__init__(env)
         self._folder, self._watch, self._flush_every = Path(folder), watch, flush_every
