@@ -170,6 +170,7 @@ class People:
         now, period = clock
         for i, person in enumerate(self.everyone):
             person.calm_down(period)
+            before = person.intention.wish
             person.intention = person.mind.decide(
                 Percept(
                     time=now,
@@ -188,6 +189,9 @@ class People:
             wish = person.intention.wish
             if wish is None or not self.reaches(i, wish, crowd, senses):
                 self._set_out(i, crowd, now)
+                if wish is not before and crowd.walks(i):
+                    # Who was on its way elsewhere is so no longer.
+                    crowd.walk_began[i] = now
 
     def _has_arrived(self, i: int, crowd: Crowd) -> bool:
         spot = self.places.claim(i, self.everyone[i].intention.place)
