@@ -13,6 +13,7 @@ from learners.analogy import (
     Propagation,
     RemoveEntity,
     SwapRoles,
+    remember,
 )
 from learners.credit import Designated, Trace
 from learners.errors import ParameterError, StateError
@@ -183,3 +184,11 @@ def test_a_state_that_cannot_be_swapped_leaves_the_table_unchanged(
 def test_an_analogy_out_of_range_is_refused(make):
     with pytest.raises(ParameterError):
         make()
+
+
+def test_what_is_remembered_of_states_is_bounded():
+    memo = {}
+    for state in range(10):
+        remember(memo, state, state, most=4)
+        assert memo[state] == state
+        assert len(memo) <= 4

@@ -347,3 +347,10 @@ def test_a_place_tells_who_plays_what_but_not_the_names(toy, rng):
         swapped = phone.swapped(e1, e2)
         assert learner.place(swapped, e2) == learner.place(phone, e1)
         assert learner.place(swapped, e1) != learner.place(phone, e1)
+
+
+@pytest.mark.parametrize("rule", [TravelPosterior(), DelayDensity()])
+def test_a_touch_no_later_than_all_entries_is_about_the_latest(rule, entry, touch):
+    history = History()
+    history.append(entry("a", 0, 0.0))
+    assert weigh(rule, touch(time=0.0), history) == ({0: 1.0}, 0)

@@ -3,7 +3,8 @@ import json
 import numpy as np
 import pytest
 
-from learners import CATALOG, QLearner, load, make_learner, saved
+from learners import CATALOG, QLearner, load, make_learner, saved, saving
+from learners.analogy import Propagation
 from learners.errors import SavedFileError
 from learners.saving import VERSION, encode
 
@@ -161,3 +162,36 @@ def test_any_generator_of_numpy_is_saved(bits, live, tmp_path):
     twin = load(tmp_path / "learner.json")
     ways = [live(each, 50, np.random.default_rng(1)) for each in (learner, twin)]
     assert ways[0] == ways[1]
+
+
+def test_another_programs_file_is_refused_by_its_format(path):
+    header, payload, _ = path.read_text("utf-8").split("\n")
+    header = json.dumps(json.loads(header) | {"format": "recipe"})
+    path.write_text(f"{header}\n{payload}\n", "utf-8")
+    with pytest.raises(SavedFileError, match="its format is 'recipe'"):
+        load(path)
+
+
+def test_a_class_that_is_not_registered_on_loading_is_named(
+    entry, rng, tmp_path, monkeypatch
+):
+    saved(Spoken)
+    learner = QLearner(2, rng)
+    learner.learn(entry(Spoken("hush"), 1, 0.0))
+    learner.save(tmp_path / "learner.json")
+    monkeypatch.delitem(saving._registry, "Spoken")
+    with pytest.raises(SavedFileError, match="needs 'Spoken': import it"):
+        load(tmp_path / "learner.json")
+
+
+@saved
+def as_the_other(state):
+    return [state.swapped("ann", "bob")]
+
+
+def test_an_operator_of_ones_own_is_saved_by_its_name(rng, live, tmp_path):
+    analogy = Propagation(operators=(as_the_other,))
+    learner = QLearner(3, rng, analogy=analogy)
+    live(learner, 20, np.random.default_rng(1))
+    learner.save(tmp_path / "learner.json")
+    assert load(tmp_path / "learner.json").analogy.operators == (as_the_other,)

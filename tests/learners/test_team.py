@@ -87,6 +87,7 @@ def test_a_member_is_a_learner_like_any_other(make, entry, touch):
     rex = team.member("rex")
     rex.learn(entry("s", 1, 0.0, touch(time=1.0)))
     assert (rex.n_behaviors, rex.act("s"), len(rex.credits)) == (2, 1, 1)
+    assert rex.q_values("s").tolist() == [0.0, 0.5]
     assert team.q_values("ada", "s")[1] == 0.25
     rex.start_episode()
     rex.learn(entry("s", 1, 0.0))
