@@ -80,7 +80,7 @@ class Painter:
         surface = self._pygame.Surface(SIZE)
         surface.fill(PAPER)
         surface.blit(self._home, (self._margin, 0))
-        self._remember(snapshot)
+        self.remember(snapshot)
         self._draw_gazes(surface, snapshot)
         self._draw_people(surface, snapshot)
         self._draw_robots(surface, snapshot)
@@ -104,8 +104,8 @@ class Painter:
             (raster.top - float(point[1])) * raster.scale,
         )
 
-    def _remember(self, snapshot: Snapshot) -> None:
-        """Touches from this moment on; forgets what is long past or yet to come."""
+    def remember(self, snapshot: Snapshot) -> None:
+        """Keeps the touches of a moment; forgets what is long past or yet to come."""
         now, first = snapshot.time, len(self._scenario.people)
         self._recent = [t for t in self._recent if now - SHOWN < t[0] < now]
         for touch in snapshot.touches:

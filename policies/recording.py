@@ -22,7 +22,7 @@ class RecordingObserver(Observer):
 
     Args:
         path: File to write, ends in .rrd; None: none.
-        watch: Shows the episode in the viewer while it goes on.
+        watch: Shows the episode in the viewer, or in the one at this address.
         flush_every: Decisions between writes; a killed process loses no more.
     """
 
@@ -30,7 +30,7 @@ class RecordingObserver(Observer):
         self,
         path: Path | str | None,
         *,
-        watch: bool = False,
+        watch: bool | str = False,
         flush_every: int = 2000,
     ) -> None:
         self._path = None if path is None else Path(path)

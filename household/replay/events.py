@@ -230,7 +230,7 @@ class Events:
         return np.array(points, dtype=np.float64).reshape(-1, 2)
 
     def _share_columns(self, pairs: Sequence[tuple[Belief, Share]]) -> list[Any]:
-        chosen = [belief.designated is share for belief, share in pairs]
+        chosen = [belief.designated == share for belief, share in pairs]
         robot = [self._robots[belief.robot] for belief, _ in pairs]
         return [
             exact("robot", np.array(robot, dtype=np.int64)),

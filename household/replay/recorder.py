@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from household.replay.events import Belief, Events
 from household.replay.layout import layout
 from household.replay.moving import send_rows
+from household.replay.process import open_viewer
 from household.replay.rows import Buffer
 from household.replay.scenery import set_scene
 from household.replay.stream import Moments, Stream, moments_of
@@ -40,7 +41,8 @@ class Recorder:
         home: The household, just reset.
         path: File to write, ends in .rrd; None: none.
         learns: Whether learners will tell what they believe.
-        watch: Shows the episode in the viewer while it goes on.
+        watch: Shows the episode while it goes on: in the viewer, which is opened if
+            none is, or in the one at this address.
         flush_every: Decisions between writes.
     """
 
@@ -50,7 +52,7 @@ class Recorder:
         path: Path | str | None = None,
         *,
         learns: bool = False,
-        watch: bool = False,
+        watch: bool | str = False,
         flush_every: int = FLUSH_EVERY,
     ) -> None:
         scenario = home.scenario
@@ -61,11 +63,11 @@ class Recorder:
         self._said: list[tuple[int, tuple[str, ...]]] = []
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
         self._last: Snapshot | None = None
-        self._watch, self._written = watch, time.monotonic()
+        self._watch, self._written = bool(watch), time.monotonic()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
         target = None if path is None else Path(path)
         name = scenario.name if target is None else target.stem
-        self._stream = Stream(kind, name, target, watch)
+        self._stream = Stream(kind, name, target, _address(watch))
         self._begin(learns)
         atexit.register(self.close)
         self.record()
@@ -163,3 +165,10 @@ def _document(robots: Sequence[str], said: Sequence[str]) -> str:
     return "\n".join(
         f"{robot}: {text}" for robot, text in zip(robots, said, strict=True)
     )
+
+
+def _address(watch: bool | str) -> str | None:
+    """The viewer that is to show the episode."""
+    if isinstance(watch, str):
+        return watch
+    return open_viewer() if watch else None

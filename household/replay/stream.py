@@ -29,11 +29,11 @@ class Stream:
         kind: Recordings of the same kind share their layout in the viewer.
         name: Shown as the recording's name.
         path: File to write; None: none.
-        watch: Shows the recording in a viewer, which is opened if none is.
+        watch: Address of a viewer that shows it as it goes on; None: none.
     """
 
     def __init__(
-        self, kind: str, name: str, path: Path | None, watch: bool = False
+        self, kind: str, name: str, path: Path | None, watch: str | None = None
     ) -> None:
         import rerun as rr
 
@@ -41,9 +41,7 @@ class Stream:
         self._recording: rr.RecordingStream | None = rr.RecordingStream(
             kind, send_properties=False
         )
-        if watch:
-            _open_viewer()
-        sinks: list[Any] = [rr.GrpcSink()] if watch else []
+        sinks: list[Any] = [] if watch is None else [rr.GrpcSink(watch)]
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
             sinks.append(rr.FileSink(path))
@@ -153,13 +151,6 @@ def _column(name: str, rows: Any) -> "rr.ComponentColumn":  # noqa: ANN401 - Arr
 
     descriptor = rr.ComponentDescriptor(f"State:{name}", archetype=ARCHETYPE)
     return rr.ComponentColumn(descriptor, rr.AnyBatchValue(descriptor, rows))
-
-
-def _open_viewer() -> None:
-    """Opens a viewer on this machine alone, unless one is open."""
-    import rerun as rr
-
-    rr.spawn(connect=False, hide_welcome_screen=True)
 
 
 def moments_of(decisions: Iterable[int], period: float) -> Moments:

@@ -15,7 +15,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
     Args:
         env: A parallel household, also inside other wrappers.
         folder: Where ``episode_00000.rrd`` and so on are written.
-        watch: Shows the running episode in the viewer.
+        watch: Shows the running episode in the viewer, or in the one at this address.
         flush_every: Decisions between writes; a killed process loses no more.
     """
 
@@ -24,7 +24,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         env: Any,  # noqa: ANN401 - PettingZoo's wrappers have no type information
         folder: Path | str,
         *,
-        watch: bool = False,
+        watch: bool | str = False,
         flush_every: int = 2000,
     ) -> None:
         super().__init__(env)
