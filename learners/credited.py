@@ -19,6 +19,9 @@ from learners.learner import Credit, Share
 from learners.saving import load, write
 from learners.transitions import SituationNetwork
 
+MOST_WEIGHT = 1e6
+"""Beyond any trace that adds up: a weight above it is a rule's mistake."""
+
 
 class Assignment(NamedTuple):
     """One feedback, or its absence, shared among entries.
@@ -158,10 +161,11 @@ class CreditedLearner(ABC):
         credit = Credit(
             feedback=feedback,
             shares=tuple(shares.values()),
-            designated=None if designated is None else shares[designated],
+            designated=None if designated is None else shares.get(designated),
         )
         return [(entries[i], weights[i]) for i in shares], credit
 
 
 def _share(entry: Experience, weight: float) -> Share:
+    check_range("the weight that a credit rule gave", weight, 0.0, MOST_WEIGHT)
     return Share(state=entry.state, action=entry.action, time=entry.time, weight=weight)

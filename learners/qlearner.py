@@ -8,6 +8,7 @@ from learners.analogy import Analogy
 from learners.checks import check_range
 from learners.credited import Assignment, CreditedLearner
 from learners.errors import ParameterError
+from learners.experience import Experience
 from learners.exploration import Estimates
 from learners.qtable import Change, QTable
 from learners.rates import Factors, Rate, SocialRate
@@ -119,34 +120,31 @@ class QLearner(CreditedLearner):
 
     def _targets(self, assignment: Assignment) -> list[Target]:
         feedback, weights = assignment
-        newest = self.history.entries[-1]
         if feedback is None:
-            reward, factors = 0.0, Factors(False, newest.attended, 0.0)
+            attended = self.history.entries[-1].attended
+            reward, factors = 0.0, Factors(False, attended, 0.0)
         else:
             reward = feedback.value
             factors = Factors(True, feedback.attending, feedback.mood)
-        if not self.credit.shares_error:
-            return [
-                Target(
-                    e.state, e.action, self._target(reward, e.next_state), w, factors
-                )
-                for e, w in weights
-            ]
-        aim = self._target(reward, newest.next_state)
-        error = td_error(self._value(newest.state, newest.action), aim)
+        error = self._newest_error(reward) if self.credit.shares_error else None
         return [
-            Target(
-                e.state, e.action, self._value(e.state, e.action) + error, w, factors
-            )
+            Target(e.state, e.action, self._aim(e, reward, error), w, factors)
             for e, w in weights
         ]
 
-    def _target(self, reward: float, next_state: Hashable) -> float:
-        following = self.analogy.values(self.table, next_state)
+    def _newest_error(self, reward: float) -> float:
+        newest = self.history.entries[-1]
+        return td_error(self._value(newest), self._aim(newest, reward, None))
+
+    def _aim(self, entry: Experience, reward: float, error: float | None) -> float:
+        """What a pair moves towards: by the newest pair's error, else by its own."""
+        if error is not None:
+            return self._value(entry) + error
+        following = self.analogy.values(self.table, entry.next_state)
         return q_target(reward, self.gamma, following)
 
-    def _value(self, state: Hashable, action: int) -> float:
-        return self.analogy.values(self.table, state)[action]
+    def _value(self, entry: Experience) -> float:
+        return self.analogy.values(self.table, entry.state)[entry.action]
 
     def _change(self, target: Target, row: Hashable, strength: float) -> Change:
         action, share = target.action, target.weight * strength

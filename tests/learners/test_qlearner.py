@@ -1,3 +1,6 @@
+import math
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
@@ -176,6 +179,22 @@ def test_an_entry_out_of_order_is_refused_and_the_table_unchanged(make, entry, t
 class Broken(CreditRule):
     def weigh(self, feedback, history, network):
         raise ExperienceError("a user's rule that fails")
+
+
+@dataclass
+class Skewed(CreditRule):
+    weight: float
+
+    def weigh(self, feedback, history, network):
+        return Weighing({0: self.weight}, 0)
+
+
+@pytest.mark.parametrize("weight", [math.nan, math.inf, -0.1])
+def test_a_credit_rule_with_impossible_weights_is_refused(make, entry, touch, weight):
+    learner = make(credit=Skewed(weight))
+    with pytest.raises(ParameterError, match="the weight that a credit rule gave"):
+        learner.learn(entry("s", 0, 0.0, touch(time=1.0)))
+    assert len(learner.table) == 0
 
 
 class Scattered(CreditRule):
