@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
-from household.locomotion import steer
+from household.locomotion import STUCK, face_ahead, follow_up, steer, turn_heads
 from household.world import World
 
 Array = NDArray[np.float64]
@@ -23,12 +23,6 @@ PASSED = 0.15
 ARRIVED = 0.05
 """Distance at which a walk ends [m]."""
 
-PROGRESS = 0.05
-"""How much nearer to its waypoint a walker must come not to be stuck [m]."""
-
-STUCK = 2.0
-"""Time without progress after which a walker tries another way [s]."""
-
 DRIFT = 0.1
 """How far a body lets itself be pushed before it steps back to its place [m]."""
 
@@ -37,9 +31,6 @@ CROWDED = 1.0
 
 SIDESTEP = 0.7
 """How far a walker that is stuck steps aside before it goes on [m]."""
-
-NECK = math.pi / 2
-"""How far a head turns from the body [rad]."""
 
 GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
 """Between the directions of sidesteps, so that repeated ones try all sides [rad]."""
@@ -58,6 +49,7 @@ class Crowd:
 
     Attributes:
         position: Where every body is, shape (n, 2) [m].
+        where: The same as pairs of numbers [m].
         heading: Where every body faces, shape (n,) [rad].
         gaze: Where every head points, shape (n,) [rad].
         walk_began: Since when each body has been walking, NaN if it stands [s].
@@ -80,13 +72,14 @@ class Crowd:
         self._ticks = round(steering_period / physics_period)
         self._ways: list[Waypoints] = [[] for _ in range(n)]
         self._waypoint = np.zeros((n, 2))
+        self._near = np.zeros(n)
         self._pace = np.zeros(n)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._sidesteps = 0
         self._settled: list[tuple[float, float] | None] = [None] * n
         self._moving = False
-        self.position = np.zeros((n, 2))
+        self._stand(np.zeros((n, 2)))
         self.heading = np.zeros(n)
         self.gaze = np.zeros(n)
         self.walk_began = np.full(n, np.nan)
@@ -94,7 +87,7 @@ class Crowd:
     def place(self, position: Array, heading: Array) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
         self._world.place(position)
-        self.position = position.copy()
+        self._stand(position.copy())
         self.heading = heading.copy()
         self.gaze = heading.copy()
         self._pace[:] = 0.0
@@ -117,7 +110,7 @@ class Crowd:
         """
         if self.walks(i):
             return math.dist(self._ways[i][-1], goal) <= DRIFT
-        away = math.dist(self.position[i], goal)
+        away = math.dist(self.where[i], goal)
         settled = self._settled[i]
         crowded = settled is not None and math.dist(settled, goal) <= DRIFT
         return away <= (CROWDED if crowded else DRIFT)
@@ -133,7 +126,7 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        way = self._routes.plan(self._where(i), goal)
+        way = self._routes.plan(self.where[i], goal)
         if not way:
             self.halt(i)
             return False
@@ -158,27 +151,30 @@ class Crowd:
             self.position, self._waypoint, self._pace, self._radius, self._period
         )
         before = self.position
-        self.position = self._world.advance(velocity, self._tick, self._ticks)
+        self._stand(self._world.advance(velocity, self._tick, self._ticks))
+        face_ahead(self.heading, velocity, self._pace)
         # Bodies that were pushed come to rest in the period after.
-        self._moving = bool(np.abs(self.position - before).max() > 1e-6)
-        for i in np.flatnonzero(self._pace):
-            self.heading[i] = math.atan2(velocity[i, 1], velocity[i, 0])
-            self._progress(int(i))
+        due, self._moving = follow_up(
+            before,
+            self.position,
+            self._waypoint,
+            self._near,
+            self._pace,
+            self._nearest,
+            self._stalled,
+            self._period,
+        )
+        for i in due.tolist():
+            if self._stalled[i] >= STUCK:
+                self._try_another_way(i)
+            else:
+                self._pass_waypoint(i)
 
-    def _progress(self, i: int) -> None:
-        """Passes waypoints, ends the walk at the last, and notices when stuck."""
-        way = self._ways[i]
-        left = math.dist(self.position[i], way[0])
-        if left <= (PASSED if len(way) > 1 else ARRIVED):
-            self._pass_waypoint(i)
-            return
-        if left < self._nearest[i] - PROGRESS:
-            self._nearest[i] = left
-            self._stalled[i] = 0.0
-            return
-        self._stalled[i] += self._period
-        if self._stalled[i] >= STUCK:
-            self._try_another_way(i)
+    def _stand(self, position: Array) -> None:
+        """Everybody is somewhere else now."""
+        self.position = position
+        # Python's own numbers: reading one out of an array takes ten times as long.
+        self.where: list[tuple[float, float]] = [(x, y) for x, y in position.tolist()]
 
     def _pass_waypoint(self, i: int) -> None:
         if len(self._ways[i]) > 1:
@@ -190,6 +186,7 @@ class Crowd:
         """Heads for the first waypoint of a way."""
         self._ways[i] = way
         self._waypoint[i] = way[0]
+        self._near[i] = PASSED if len(way) > 1 else ARRIVED
         self._nearest[i] = math.inf
         self._stalled[i] = 0.0
 
@@ -197,12 +194,12 @@ class Crowd:
         """Settles for a place near the goal, or steps aside and plans anew."""
         self._stalled[i] = 0.0
         goal = self._ways[i][-1]
-        if math.dist(self.position[i], goal) <= CROWDED:
+        if math.dist(self.where[i], goal) <= CROWDED:
             self.halt(i)
             self._settled[i] = goal
             return
         self._sidesteps += 1
-        angle, here = self._sidesteps * GOLDEN_ANGLE, self._where(i)
+        angle, here = self._sidesteps * GOLDEN_ANGLE, self.where[i]
         aside = (
             here[0] + SIDESTEP * math.cos(angle),
             here[1] + SIDESTEP * math.sin(angle),
@@ -212,10 +209,6 @@ class Crowd:
         if way:
             self._take(i, way)
 
-    def _where(self, i: int) -> tuple[float, float]:
-        x, y = self.position[i].tolist()
-        return x, y
-
     def turn_heads(self, target: Array, most: Array) -> None:
         """Turns every head towards where it wants to look.
 
@@ -223,13 +216,4 @@ class Crowd:
             target: Wanted directions, shape (n,) [rad].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        turn = _wrapped(target - self.gaze)
-        self.gaze = self.gaze + np.clip(turn, -most, most)
-        # The body follows where the neck does not reach.
-        strain = _wrapped(self.gaze - self.heading)
-        self.heading = self.heading + strain - np.clip(strain, -NECK, NECK)
-
-
-def _wrapped(angle: Array) -> Array:
-    """An angle in [-pi, pi) [rad]."""
-    return (angle + np.pi) % (2 * np.pi) - np.pi
+        self.gaze, self.heading = turn_heads(self.gaze, self.heading, target, most)

@@ -13,6 +13,18 @@ Array = NDArray[np.float64]
 COMFORT = 0.5
 """Gap between bodies below which a walker gives way [m] (our choice)."""
 
+PROGRESS = 0.05
+"""How much nearer to its waypoint a walker must come not to be stuck [m]."""
+
+STUCK = 2.0
+"""Time without progress after which a walker tries another way [s]."""
+
+NECK = np.pi / 2
+"""How far a head turns from the body [rad]."""
+
+STILL = 1e-6
+"""How far a body moves at most that is at rest [m]."""
+
 
 @njit(cache=True)
 def steer(
@@ -60,3 +72,95 @@ def steer(
         velocity[i, 0] = pace * vx / norm
         velocity[i, 1] = pace * vy / norm
     return velocity
+
+
+@njit(cache=True)
+def follow_up(
+    before: Array,
+    position: Array,
+    waypoint: Array,
+    near: Array,
+    pace: Array,
+    nearest: Array,
+    stalled: Array,
+    period: float,
+) -> tuple[NDArray[np.intp], bool]:
+    """Notes how every walker came on.
+
+    Args:
+        before: Where everybody was, shape (n, 2) [m].
+        position: Where everybody is, shape (n, 2) [m].
+        waypoint: Where each is heading, shape (n, 2) [m].
+        near: Distance at which the waypoint counts as reached, shape (n,) [m].
+        pace: Shape (n,) [m/s]; 0: stands.
+        nearest: How near each came to its waypoint, shape (n,) [m]; brought up to
+            date in place.
+        stalled: Since how long each came no nearer, (n,) [s]; likewise.
+        period: Time since ``before`` [s].
+
+    Returns:
+        Who has something to decide: those that are at their waypoint, and those
+        whose ``stalled`` is `STUCK` or more; and whether anybody moved at all.
+    """
+    n = position.shape[0]
+    due = np.zeros(n, np.bool_)
+    moved = False
+    for i in range(n):
+        dx, dy = position[i, 0] - before[i, 0], position[i, 1] - before[i, 1]
+        moved |= max(abs(dx), abs(dy)) > STILL
+        if pace[i] <= 0.0:
+            continue
+        wx, wy = waypoint[i, 0] - position[i, 0], waypoint[i, 1] - position[i, 1]
+        left = np.sqrt(wx * wx + wy * wy)
+        if left <= near[i]:
+            due[i] = True
+        elif left < nearest[i] - PROGRESS:
+            nearest[i], stalled[i] = left, 0.0
+        else:
+            stalled[i] += period
+            due[i] = stalled[i] >= STUCK
+    return np.flatnonzero(due), moved
+
+
+@njit(cache=True)
+def face_ahead(heading: Array, velocity: Array, pace: Array) -> None:
+    """Walkers face where they go.
+
+    Args:
+        heading: Shape (n,) [rad]; brought up to date in place.
+        velocity: Shape (n, 2) [m/s].
+        pace: Shape (n,) [m/s]; 0: stands.
+    """
+    for i in range(len(pace)):
+        if pace[i] > 0.0:
+            heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
+
+
+@njit(cache=True)
+def turn_heads(
+    gaze: Array, heading: Array, target: Array, most: Array
+) -> tuple[Array, Array]:
+    """Turns every head towards where it wants to look, and bodies where necks end.
+
+    Args:
+        gaze: Where every head points, shape (n,) [rad].
+        heading: Where every body faces, shape (n,) [rad].
+        target: Wanted directions, shape (n,) [rad].
+        most: How far each head can turn in this time, shape (n,) [rad].
+
+    Returns:
+        New gazes and headings, each of shape (n,) [rad].
+    """
+    turned, faced = np.empty_like(gaze), np.empty_like(heading)
+    for i in range(len(gaze)):
+        turn = _wrapped(target[i] - gaze[i])
+        turned[i] = gaze[i] + min(max(turn, -most[i]), most[i])
+        strain = _wrapped(turned[i] - heading[i])
+        faced[i] = heading[i] + strain - min(max(strain, -NECK), NECK)
+    return turned, faced
+
+
+@njit(cache=True)
+def _wrapped(angle: float) -> float:
+    """An angle in [-pi, pi) [rad]."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi

@@ -60,12 +60,16 @@ class World:
         self.space.add(body, pymunk.Circle(body, radius))
         return body
 
-    def _batch_rows(self) -> NDArray[np.intp]:
-        """The row of each body in Pymunk's batches, which hold the ground too."""
+    def _batch_rows(self) -> slice:
+        """The rows of the bodies in Pymunk's batches, which hold the ground too."""
         buffer = pymunk.batch.Buffer()
         pymunk.batch.get_space_bodies(self.space, BodyFields.BODY_ID, buffer)
         ids = list(memoryview(buffer.int_buf()).cast("P"))
-        return np.array([ids.index(body.id) for body in self._bodies], dtype=np.intp)
+        first = ids.index(self._bodies[0].id)
+        rows = slice(first, first + len(self._bodies))
+        if ids[rows] != [body.id for body in self._bodies]:
+            raise RuntimeError("Pymunk's batches hold bodies in an order of their own")
+        return rows
 
     def place(self, position: Array) -> None:
         """Puts every body somewhere, at rest.
@@ -86,7 +90,7 @@ class World:
             self.space, BodyFields.POSITION, self._read_buffer
         )
         batch = np.frombuffer(self._read_buffer.float_buf(), dtype=np.float64)
-        return batch.reshape(-1, 2)[self._rows]
+        return batch.reshape(-1, 2)[self._rows].copy()
 
     def advance(self, velocity: Array, tick: float, ticks: int) -> Array:
         """Moves every body for some ticks.
@@ -109,7 +113,7 @@ class World:
         sunk = keep_out(
             self._position, after, self._radius, self._solid, self._thickness
         )
-        for i in np.flatnonzero(sunk):
+        for i in sunk:
             self._bodies[i].position = float(after[i, 0]), float(after[i, 1])
         self._position = after
         return after
