@@ -13,12 +13,13 @@ PAPER = (250, 250, 248)
 """Ground of drawings, also where the viewer is dark."""
 
 
-def layout(scenario: Scenario, learns: bool) -> "rrb.Blueprint":
+def layout(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
     """Plan in the middle, attention and values beside it, courses of time below.
 
     Args:
         scenario: The household.
         learns: Whether there is a learner whose beliefs can be shown.
+        live: Whether the viewer shows the newest moment as it comes in.
     """
     import rerun.blueprint as rrb
 
@@ -37,7 +38,10 @@ def layout(scenario: Scenario, learns: bool) -> "rrb.Blueprint":
     return rrb.Blueprint(
         rrb.Vertical(above, below, row_shares=[5, 2.4]),
         rrb.TimePanel(
-            timeline="decision", state="collapsed", play_state="paused", fps=fps
+            timeline="decision",
+            state="collapsed",
+            play_state="following" if live else "paused",
+            fps=fps,
         ),
         rrb.BlueprintPanel(state="collapsed"),
         rrb.SelectionPanel(state="collapsed"),

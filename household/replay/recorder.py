@@ -74,7 +74,7 @@ class Recorder:
 
     def _begin(self, learns: bool) -> None:
         scenario = self._scenario
-        self._stream.lay_out(layout(scenario, learns))
+        self._stream.lay_out(layout(scenario, learns, live=self._watch))
         plain = msgspec.structs.replace(scenario, home=scenario.plan)
         self._stream.describe(scenario=msgspec.json.encode(plain).decode())
         set_scene(self._stream, scenario, learns)
