@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import atexit
-from concurrent.futures import Executor
 
 from distributed import Client
+from distributed.cfexecutor import ClientExecutor
 
 
 def connect(address: str, workers: int) -> tuple[Client, int]:
@@ -23,11 +23,13 @@ def connect(address: str, workers: int) -> tuple[Client, int]:
     return client, sum(client.nthreads().values()) or workers
 
 
-def dask_executor(client: Client) -> Executor:
-    """Returns an executor over the client.
+class DaskExecutor(ClientExecutor):  # type: ignore[misc]  # Dask is untyped
+    """Dask's own executor; Dask runs again by itself what a dead worker held."""
 
-    Dask runs again by itself what a dead worker held. `pure=False`: otherwise two
-    equal calls share one result.
-    """
-    executor: Executor = client.get_executor(pure=False)
-    return executor
+    def __init__(self, client: Client) -> None:
+        # Not pure: otherwise two equal calls share one result.
+        super().__init__(client, pure=False)
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Waits for what still runs, or drops it."""
+        super().shutdown(wait=wait and not cancel_futures)

@@ -49,11 +49,11 @@ def _local(address: str, workers: int) -> Engine:
 
 def _dask(address: str, workers: int) -> Engine:
     try:
-        from experiments.engine.dask import connect, dask_executor
+        from experiments.engine.dask import DaskExecutor, connect
     except ImportError as error:
         raise _missing("dask", error) from error
     client, slots = connect(address, workers)
-    return Engine(open=lambda: dask_executor(client), window=2 * slots)
+    return Engine(open=lambda: DaskExecutor(client), window=2 * slots)
 
 
 def _ray(address: str, workers: int) -> Engine:
