@@ -48,11 +48,12 @@ def rasterize(plan: FloorPlan, scale: float) -> Raster:
     from matplotlib.figure import Figure
 
     dpi = scale / SCALE
-    figure = Figure(figsize=tuple(SCALE * size_of(plan)), dpi=dpi)
+    width, height = (int(side) for side in np.ceil(size_of(plan) * scale))
+    # Half a pixel more, as Matplotlib rounds down whatever it works out.
+    figure = Figure(figsize=((width + 0.5) / dpi, (height + 0.5) / dpi), dpi=dpi)
     draw_on(plan, figure.add_axes((0.0, 0.0, 1.0, 1.0)))
     data = BytesIO()
     figure.savefig(data, format="rgba", dpi=dpi)
-    width, height = (int(side) for side in figure.bbox.size)
     rgba = np.frombuffer(data.getvalue(), dtype=np.uint8).reshape(height, width, 4)
     left, top = plan.lower[0] - BORDER, plan.upper[1] + BORDER
     return Raster(rgba[..., :3].copy(), float(left), float(top), scale)

@@ -10,7 +10,10 @@ from household import household_v0
 from household.activity import Activity
 from household.errors import HouseholdError
 from household.home.drawing import ACTIVITY_COLORS
+from household.home.floorplan import load_floorplan
+from household.home.raster import rasterize, size_of
 from household.perception.cone import RAYS, gaze_cones
+from household.records import shipped
 from household.render import SIZE, Painter
 from household.replay import RecordEpisodes
 from household.replay.colors import behavior_color, rgb
@@ -183,3 +186,14 @@ def test_a_film_of_a_replay_shows_every_decision(recorded, tmp_path):
 
     write_video(recorded[1], tmp_path / "film.mp4", fps=4)
     assert count_frames_and_secs(str(tmp_path / "film.mp4")) == (13, 3.25)
+
+
+@pytest.mark.parametrize("name", sorted(shipped("home/homes")))
+@pytest.mark.parametrize("scale", [33.3, 100.0])
+def test_every_home_has_a_picture_of_its_size(name, scale):
+    plan = load_floorplan(name)
+    raster = rasterize(plan, scale)
+    width, height = np.ceil(size_of(plan) * scale)
+    assert raster.pixels.shape == (height, width, 3)
+    assert raster.left == pytest.approx(plan.lower[0] - 0.3)
+    assert raster.top == pytest.approx(plan.upper[1] + 0.3)
