@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, cast
 
-from experiments.results import write_whole
 from experiments.runner import play
 from experiments.trial import Trial
 from policies.learning import Home, LearningRobot, Observer
@@ -26,7 +26,11 @@ def record(trial: Trial, path: Path) -> None:
         trial: The trial; the same seed gives the same episode.
         path: The file to write; there only once it is whole.
     """
-    write_whole(path, lambda temporary: play(trial, [Replay(temporary)]))
+    # The file's name is also what the viewer calls it, hence a folder of its own.
+    with TemporaryDirectory(dir=path.parent, prefix=".", suffix=".tmp") as folder:
+        temporary = Path(folder) / path.name
+        play(trial, [Replay(temporary)])
+        temporary.replace(path)
 
 
 class Replay(Observer):
@@ -34,17 +38,20 @@ class Replay(Observer):
 
     Args:
         path: The file to write.
+        watch: Shows the episode in the viewer while it goes on.
     """
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
+    def __init__(self, path: Path, *, watch: bool = False) -> None:
+        self._path, self._watch = path, watch
         self._recorder: Recorder | None = None
 
     def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Opens the file."""
         from household.replay.recorder import Recorder
 
-        self._recorder = Recorder(cast("Household", env), self._path, learns=True)
+        self._recorder = Recorder(
+            cast("Household", env), self._path, learns=True, watch=self._watch
+        )
 
     def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Notes what the robots now believe and expect."""

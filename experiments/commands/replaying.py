@@ -8,52 +8,39 @@ from typing import Annotated
 
 from tyro.conf import Positional, arg
 
-from experiments.errors import ExperimentError
-
 
 @dataclass(frozen=True, kw_only=True)
 class Replay:
-    """Open recorded episodes in the Rerun viewer."""
+    """Open a recorded episode in the Rerun viewer."""
 
     path: Annotated[Positional[Path], arg(metavar="FILE.rrd|DIR")]
-    """A recording, or a directory with recordings in it (or in its `replays`)."""
+    """A recording, or a directory; asks which one if there are several below it."""
 
     web: bool = False
-    """Serve the viewer to a browser on this machine, where there is no screen."""
+    """Show it in a browser on this machine, where there is no screen for the viewer."""
+
+    film: Annotated[Path | None, arg(metavar="FILE.mp4")] = None
+    """Make a film instead of opening the viewer."""
+
+    picture: Annotated[Path | None, arg(metavar="FILE.png")] = None
+    """Draw the last moment instead of opening the viewer."""
 
     def run(self) -> None:
-        """Opens the viewer and waits until it is closed."""
-        import subprocess
+        """Makes what was asked for, or shows the replay until the viewer is closed."""
+        from household.replay.viewer import choose, view, write_png
 
-        arguments = ["--bind", "127.0.0.1"]
-        if self.web:
-            arguments += ["--serve-web"]
-        files = [str(file) for file in recordings(self.path)]
-        ended = subprocess.run([str(_viewer()), *arguments, *files], check=False)
-        if ended.returncode:
-            raise ExperimentError(
-                f"the Rerun viewer ended with status {ended.returncode}; without a "
-                "screen or its drivers, try --web."
-            )
+        path = choose(self.path)
+        if self.film:
+            _film(path, self.film)
+        if self.picture:
+            write_png(path, self.picture)
+        if not (self.film or self.picture):
+            view(path, web=self.web)
 
 
-def recordings(path: Path) -> tuple[Path, ...]:
-    """Returns the recordings that a path stands for.
+def _film(path: Path, out: Path) -> None:
+    from rich.progress import track
 
-    Raises:
-        ExperimentError: If there are none.
-    """
-    if path.is_file():
-        return (path,)
-    found = [*sorted(path.glob("*.rrd")), *sorted(path.glob("replays/*.rrd"))]
-    if not found:
-        raise ExperimentError(f"{path}: no recording (.rrd) there.")
-    return tuple(found)
+    from household.replay.viewer import write_video
 
-
-def _viewer() -> Path:
-    """Returns the viewer itself; the script of that name would outlive its end."""
-    import rerun_cli
-
-    binary = Path(rerun_cli.__file__).with_name("rerun")
-    return binary if binary.exists() else binary.with_suffix(".exe")
+    write_video(path, out, track=lambda replay: track(replay, "Making the film"))

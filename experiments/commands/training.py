@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from experiments.trial import Trial
-    from policies.learning import LearningRobot
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,6 +36,9 @@ class Train:
 
     out: Path = Path("runs/train")
     """Directory for what was learned, the table of the trial and the replay."""
+
+    watch: bool = False
+    """Open the Rerun viewer and show the episode while it goes on."""
 
     def run(self) -> None:
         """Runs one episode and stores what came of it."""
@@ -71,13 +73,9 @@ class Train:
         from experiments.runner import play
 
         rows = Rows()
-        robots: dict[str, LearningRobot] = {}
-
-        def live(path: Path) -> None:
-            robots.update(play(trial, [rows, Replay(path), Steps(advance)]))
-
+        replay = Replay(self.out / "replay.rrd", watch=self.watch)
         with progress(console, "decisions", self.decisions) as advance:
-            write_whole(self.out / "replay.rrd", live)
+            robots = play(trial, [rows, replay, Steps(advance)])
         write_whole(self.out / "trial.parquet", rows.frame().write_parquet)
         for agent, robot in robots.items():
             robot.learner.save(self.out / f"{agent}.json")

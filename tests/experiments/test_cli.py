@@ -37,7 +37,7 @@ def say(capsys, *words):
         (["train", "evening", "--learner", "q_socail"], "did you mean 'q_social'?"),
         (["train", "evening", "--decisions", "0"], "--decisions must be at least 1"),
         (["train", "evening", "--seed", "-1"], "--seed must be 0 or larger"),
-        (["replay", "/nowhere"], "/nowhere: no recording"),
+        (["replay", "/nowhere"], "/nowhere: no replay"),
         ([], "reproduce"),
         (["--foo"], "--foo"),
     ],
