@@ -72,6 +72,7 @@ def make_robots(
 ) -> dict[str, LearningRobot]:
     """Returns a learning robot for each agent, each with a random stream of its own."""
     from learners.catalog import make_learner
+    from learners.parts import made
     from policies.learning import LearningRobot
 
     return {
@@ -80,7 +81,7 @@ def make_robots(
                 condition.learner,
                 len(env.behaviors),
                 np.random.default_rng(child),
-                **condition.learner_overrides,
+                **made(condition.learner_overrides),
             )
         )
         for agent, child in zip(

@@ -36,7 +36,8 @@ class Condition:
     """Top-level scenario fields that differ from the scenario's own."""
 
     learner_overrides: Mapping[str, Any] = field(default_factory=dict)
-    """Parameters of the learner that differ from the catalogue's."""
+    """Settings of the learner that differ from the catalogue's; parts by name, as in
+    `learners.parts`."""
 
     def __post_init__(self) -> None:
         """Checks that the name can be a folder on every system."""
