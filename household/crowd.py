@@ -99,7 +99,12 @@ class Crowd:
 
     def walks(self, i: int) -> bool:
         """Whether a body is on its way somewhere."""
-        return bool(self._pace[i] > 0.0)
+        return bool(self._ways[i])
+
+    @property
+    def walking(self) -> NDArray[np.bool_]:
+        """Who is on its way somewhere, shape (n,)."""
+        return self._pace > 0.0
 
     def is_bound_for(self, i: int, goal: tuple[float, float]) -> bool:
         """Whether a body is at a point, on its way there, or as near as others let it.

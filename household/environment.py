@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -43,6 +44,9 @@ PERSON_MASS, ROBOT_MASS = 70.0, 2.0
 
 ROBOT_SPEED = 0.5
 """At which robots walk [m/s]."""
+
+SITUATIONS_KEPT = 4096
+"""So many situations are remembered, whoever they were seen from."""
 
 ROBOT_VIEW = math.radians(120.0) / 2
 """Half a robot's field of view [rad]."""
@@ -129,7 +133,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             [p.head_speed for p in personas] + [360.0] * n_robots
         )
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
+        self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
+        self._salience = np.ones(n_people + n_robots)
+        self._source = np.zeros(n_people + n_robots)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
+        # Situations recur; each is put together once.
+        self._situation = lru_cache(maxsize=SITUATIONS_KEPT)(self._make_situation)
         self._moments = round(scenario.decision_period / scenario.steering_period)
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
@@ -305,29 +314,29 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
-        everyone, since = (
-            self.people.everyone,
-            self.time - self.scenario.decision_period,
-        )
-        n_people, n_robots = len(everyone), len(self.possible_agents)
-        self.people.locate(self.crowd.position[:n_people])
-        half_views = [p.half_view for p in everyone] + [ROBOT_VIEW] * n_robots
+        since = self.time - self.scenario.decision_period
+        people, robots = self.people, self.robots
+        n_people = len(people.everyone)
+        people.locate(self.crowd.position[:n_people])
+        self._half_view[:n_people] = [p.half_view for p in people.everyone]
+        self._salience[n_people:] = robots.salience(since)
+        self._source[n_people:] = robots.sources(since)
         self.senses.perceive(
             position=self.crowd.position,
             gaze=self.crowd.gaze,
-            half_view=np.array(half_views),
-            salience=np.array([1.0] * n_people + self.robots.salience(since)),
+            half_view=self._half_view,
+            salience=self._salience,
             absorption=self._absorption,
-            source=np.array([0.0] * n_people + self.robots.sources(since)),
+            source=self._source,
             now=self.time,
         )
-        moods = np.array([person.mood for person in everyone])
+        moods = np.array([person.mood for person in people.everyone])
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
         noise = [
             rng.standard_normal(MOST_PEOPLE)[:n_people] for rng in self._streams.robots
         ]
         misread = self.scenario.perception.mood_noise * np.array(noise)
-        self._moods = np.clip(moods + misread, -1.0, 1.0)
+        self._moods = np.minimum(np.maximum(moods + misread, -1.0), 1.0)
 
     def _results(self) -> Any:  # noqa: ANN401 - the tuple that `step` documents
         over = self.decision >= self.max_cycles
@@ -356,27 +365,17 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """What robots may know of this moment."""
         n = len(self.people.everyone)
         position, senses = self.crowd.position, self.senses
-        people, robots = position[:n], position[n:]
-        offset = robots[None, :, :] - people[:, None, :]
-        direction = np.arctan2(offset[..., 1], offset[..., 0])
-        felt = [[touch.value for touch in touches] for touches in self.robots.feedback]
         return View(
-            people=people,
-            robots=robots,
+            offset=position[None, :, :] - position[n:, None, :],
             activity=self.people.activity,
-            walking=np.array([self.crowd.walks(i) for i in range(n)]),
+            walking=self.crowd.walking[:n],
             attends=senses.attends[:n, n:],
             attention=senses.attention[:n, n:],
-            facing=np.cos(direction - self.crowd.gaze[:n, None]),
+            facing=np.cos(senses.angle[:n, n:]),
             mood=self._moods,
             behavior=self.robots.behaviors,
             left=self.robots.left(self.time),
-            touches=np.array(
-                [
-                    [sum(v for v in f if v > 0), -sum(v for v in f if v < 0)]
-                    for f in felt
-                ]
-            ).clip(0.0, 1.0),
+            touches=self.robots.felt,
         )
 
     def state(self) -> NDArray[np.float32]:
@@ -385,23 +384,28 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def situation(self, agent: str) -> Situation:
         """The situation as a robot sees it now."""
-        n, model = len(self.people.everyone), self.scenario.situation.attention
-        names = (*self.scenario.person_names, *self.possible_agents)
-        roles = {
-            person.name: ACTIVITY_NAMES[role]
-            for person, role in zip(
-                self.people.everyone, self.people.activity, strict=True
-            )
-        }
-        attends = self.senses.attends
-        if model == "none":
-            pairs = []
-        elif model == "robot":
-            target = n + self._index[agent]
-            pairs = [(i, target) for i in np.flatnonzero(attends[:n, target])]
+        n, attends = len(self.people.everyone), self.senses.attends
+        target = n + self._index[agent]
+        who = {"none": attends[:0], "robot": attends[:n, target], "all": attends}
+        chosen = who[self.scenario.situation.attention]
+        return self._situation(self.people.activity.tobytes(), chosen.tobytes(), target)
+
+    def _make_situation(
+        self, activity: bytes, attends: bytes, target: int
+    ) -> Situation:
+        """The situation that these roles and this attention make."""
+        people = self.scenario.person_names
+        names = (*people, *self.possible_agents)
+        roles = (ACTIVITY_NAMES[role] for role in np.frombuffer(activity, np.int_))
+        relations = np.flatnonzero(np.frombuffer(attends, np.bool_)).tolist()
+        if self.scenario.situation.attention == "all":
+            pairs = [divmod(pair, len(names)) for pair in relations]
         else:
-            pairs = [(i, j) for i, j in np.argwhere(attends)]
-        return Situation.of(roles, ((names[i], names[j]) for i, j in pairs))
+            pairs = [(observer, target) for observer in relations]
+        return Situation.of(
+            dict(zip(people, roles, strict=True)),
+            ((names[i], names[j]) for i, j in pairs),
+        )
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""

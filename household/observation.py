@@ -6,6 +6,7 @@ household does not have are padding: all their elements are 0.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -26,8 +27,8 @@ class View:
     """All that robots may know of this moment; nothing that people keep to themselves.
 
     Attributes:
-        people: Positions, shape (n_people, 2) [m].
-        robots: Positions, shape (n_robots, 2) [m].
+        offset: From each robot to everybody, people first and robots after them, shape
+            (n_robots, n_people + n_robots, 2) [m].
         activity: Roles, shape (n_people,).
         walking: Who is on its way, shape (n_people,).
         attends: Who attends to which robot, shape (n_people, n_robots).
@@ -41,8 +42,7 @@ class View:
             shape (n_robots, 2), both in [0, 1].
     """
 
-    people: Array
-    robots: Array
+    offset: Array
     activity: NDArray[np.int_]
     walking: NDArray[np.bool_]
     attends: NDArray[np.bool_]
@@ -64,7 +64,7 @@ class Field:
         size: Elements in each slot.
         low: Least value.
         high: Greatest value.
-        values: From the view to an array (n_robots, n_slots, size).
+        values: From the view to what broadcasts to (n_robots, n_slots, size).
     """
 
     name: str
@@ -72,30 +72,35 @@ class Field:
     size: int
     low: float
     high: float
-    values: Callable[[View], Array]
+    values: Callable[[View], NDArray[Any] | float]
 
 
-def _one_hot(index: NDArray[np.intp] | NDArray[np.int_], size: int) -> Array:
-    """Rows of zeros with a one at the index; no one where the index is negative."""
-    return (index[..., None] == np.arange(size)).astype(np.float64)
+@lru_cache(maxsize=16)
+def _one_hots(size: int) -> Array:
+    """Row i has its one at i; the last row, which -1 is the index of, has none."""
+    return np.eye(size + 1, size)
 
 
-def _offsets(of: Array, to: Array) -> Array:
-    """Offsets from each robot, in units of `REACH`, shape (n_robots, n, 2)."""
-    return np.clip((of[None, :, :] - to[:, None, :]) / REACH, -1.0, 1.0)
+@lru_cache(maxsize=16)
+def _others(n_robots: int) -> NDArray[np.intp]:
+    """The indices of each robot's others, shape (n_robots, n_robots - 1)."""
+    rows = [[j for j in range(n_robots) if j != i] for i in range(n_robots)]
+    return np.array(rows, dtype=np.intp).reshape(n_robots, n_robots - 1)
 
 
-def _others(values: Array) -> Array:
-    """Drops each robot's own row from an array (n_robots, n_robots, size)."""
-    n = len(values)
-    rows = [[j for j in range(n) if j != i] for i in range(n)]
-    kept = values[np.arange(n)[:, None], np.array(rows, dtype=np.intp).reshape(n, -1)]
-    return kept.reshape(n, n - 1, values.shape[-1])
+def _in_reach(offset: Array) -> Array:
+    """Offsets in units of `REACH`."""
+    return np.minimum(np.maximum(offset / REACH, -1.0), 1.0)
 
 
-def _for_each_robot(values: Array, view: View) -> Array:
-    """The same rows for every robot: (n, size) to (n_robots, n, size)."""
-    return np.broadcast_to(values, (len(view.robots), *values.shape))
+def _to_people(view: View) -> Array:
+    return _in_reach(view.offset[:, : len(view.activity)])
+
+
+def _to_other_robots(view: View) -> Array:
+    n = len(view.behavior)
+    others = len(view.activity) + _others(n)
+    return _in_reach(view.offset[np.arange(n)[:, None], others])
 
 
 def fields(n_behaviors: int) -> tuple[Field, ...]:
@@ -104,72 +109,38 @@ def fields(n_behaviors: int) -> tuple[Field, ...]:
     Args:
         n_behaviors: How many behaviors the robots can choose.
     """
+    n_roles = len(Activity)
+    roles, behaviors = _one_hots(n_roles), _one_hots(n_behaviors)
 
-    def behavior(view: View) -> Array:
-        return _one_hot(view.behavior, n_behaviors)
+    def own(name: str, size: int, values: Callable[[View], NDArray[Any]]) -> Field:
+        return Field(name, "self", size, 0, 1, lambda v: values(v)[:, None])
+
+    def of_people(
+        name: str, low: float, values: Callable[[View], NDArray[Any] | float]
+    ) -> Field:
+        return Field(name, "person", 1, low, 1, values)
 
     return (
-        Field(
-            "own_behavior", "self", n_behaviors, 0, 1, lambda v: behavior(v)[:, None]
-        ),
-        Field("own_time_left", "self", 1, 0, 1, lambda v: v.left[:, None, None]),
-        Field("own_touches", "self", 2, 0, 1, lambda v: v.touches[:, None]),
-        Field("person_here", "person", 1, 0, 1, lambda v: np.ones((*v.mood.shape, 1))),
-        Field(
-            "person_offset", "person", 2, -1, 1, lambda v: _offsets(v.people, v.robots)
-        ),
-        Field(
-            "person_activity",
-            "person",
-            len(Activity),
-            0,
-            1,
-            lambda v: _for_each_robot(_one_hot(v.activity, len(Activity)), v),
-        ),
-        Field(
-            "person_walks",
-            "person",
-            1,
-            0,
-            1,
-            lambda v: _for_each_robot(v.walking[:, None].astype(np.float64), v),
-        ),
-        Field(
-            "person_attends",
-            "person",
-            1,
-            0,
-            1,
-            lambda v: v.attends.T[..., None].astype(np.float64),
-        ),
-        Field(
-            "person_attention", "person", 1, 0, 1, lambda v: v.attention.T[..., None]
-        ),
-        Field("person_faces", "person", 1, -1, 1, lambda v: v.facing.T[..., None]),
-        Field("person_mood", "person", 1, -1, 1, lambda v: v.mood[..., None]),
-        Field(
-            "robot_here",
-            "robot",
-            1,
-            0,
-            1,
-            lambda v: np.ones((len(v.robots), len(v.robots) - 1, 1)),
-        ),
-        Field(
-            "robot_offset",
-            "robot",
-            2,
-            -1,
-            1,
-            lambda v: _others(_offsets(v.robots, v.robots)),
-        ),
+        own("own_behavior", n_behaviors, lambda v: behaviors[v.behavior]),
+        own("own_time_left", 1, lambda v: v.left[:, None]),
+        own("own_touches", 2, lambda v: v.touches),
+        of_people("person_here", 0, lambda _: 1.0),
+        Field("person_offset", "person", 2, -1, 1, _to_people),
+        Field("person_activity", "person", n_roles, 0, 1, lambda v: roles[v.activity]),
+        of_people("person_walks", 0, lambda v: v.walking[:, None]),
+        of_people("person_attends", 0, lambda v: v.attends.T[..., None]),
+        of_people("person_attention", 0, lambda v: v.attention.T[..., None]),
+        of_people("person_faces", -1, lambda v: v.facing.T[..., None]),
+        of_people("person_mood", -1, lambda v: v.mood[..., None]),
+        Field("robot_here", "robot", 1, 0, 1, lambda _: 1.0),
+        Field("robot_offset", "robot", 2, -1, 1, _to_other_robots),
         Field(
             "robot_behavior",
             "robot",
             n_behaviors,
             0,
             1,
-            lambda v: _others(_for_each_robot(behavior(v), v)),
+            lambda v: behaviors[v.behavior[_others(len(v.behavior))]],
         ),
     )
 
@@ -189,26 +160,28 @@ class Features:
             "robot": (scenario.slots.robots or len(scenario.robots)) - 1,
         }
         self._fields = fields(len(scenario.behaviors))
-        self._lengths = [slots[field.slot] * field.size for field in self._fields]
-        ends = np.cumsum(self._lengths)
+        # One record for each robot: Numpy finds the place of every field in it.
+        self._record = np.dtype(
+            [(f.name, np.float32, (slots[f.slot], f.size)) for f in self._fields]
+        )
+        lengths = [slots[f.slot] * f.size for f in self._fields]
+        ends = np.cumsum(lengths).tolist()
         self.layout = {
-            field.name: slice(int(end) - length, int(end))
-            for field, length, end in zip(
-                self._fields, self._lengths, ends, strict=True
-            )
+            f.name: slice(end - length, end)
+            for f, length, end in zip(self._fields, lengths, ends, strict=True)
         }
-        low = np.repeat([f.low for f in self._fields], self._lengths)
-        high = np.repeat([f.high for f in self._fields], self._lengths)
+        low = np.repeat([f.low for f in self._fields], lengths)
+        high = np.repeat([f.high for f in self._fields], lengths)
         self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
 
     def encode(self, view: View) -> NDArray[np.float32]:
         """Every robot's observation, a new array of shape (n_robots, length)."""
-        n = len(view.robots)
-        rows = np.zeros((n, self.space.shape[0]), dtype=np.float32)
-        for field, place in zip(self._fields, self.layout.values(), strict=True):
-            values = field.values(view).reshape(n, -1)
-            rows[:, place.start : place.start + values.shape[1]] = values
-        return rows
+        n_robots, n_people = len(view.behavior), len(view.activity)
+        here = {"self": 1, "person": n_people, "robot": n_robots - 1}
+        records = np.zeros(n_robots, self._record)
+        for field in self._fields:
+            records[field.name][:, : here[field.slot]] = field.values(view)
+        return records.view(np.float32).reshape(n_robots, -1)
 
 
 class Situations:
@@ -231,7 +204,7 @@ class Situations:
         """Every robot's observation; padding is `UNKNOWN` and unattending."""
         n = len(view.activity)
         encoded: list[dict[str, NDArray[Any]]] = []
-        for robot in range(len(view.robots)):
+        for robot in range(len(view.behavior)):
             activities = np.full(self._slots, int(Activity.UNKNOWN), dtype=np.int64)
             attention = np.zeros(self._slots, dtype=np.int8)
             activities[:n] = view.activity

@@ -46,8 +46,7 @@ def heard_strength(level: Array) -> Array:
     Args:
         level: At the ear [dB], any shape.
     """
-    strength: Array = np.clip((level - AUDIBLE) / (FULL - AUDIBLE), 0.0, 1.0)
-    return strength
+    return np.minimum(np.maximum((level - AUDIBLE) / (FULL - AUDIBLE), 0.0), 1.0)
 
 
 def seen_strength(attention: Array) -> Array:
@@ -56,8 +55,7 @@ def seen_strength(attention: Array) -> Array:
     Args:
         attention: Share of the attention that they get, any shape.
     """
-    strength: Array = np.clip(attention / SEEN_FULLY, 0.0, 1.0)
-    return strength
+    return np.minimum(np.maximum(attention / SEEN_FULLY, 0.0), 1.0)
 
 
 def moved_mood(mood: float, appraisal: float, change: float) -> float:

@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 MakeMinds = Callable[[Scenario], Sequence[Mind]]
 
 
+ACTIVITIES = tuple(Activity)
+
 REACH = 0.8
 """From the middle of a person to the middle of a robot that it touches [m]."""
 
@@ -65,6 +67,10 @@ class People:
         self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
             len(self.everyone), len(Activity), 2, -1
         )
+        self._rows = np.arange(len(self.everyone))[:, None]
+        # The decision at which the bout of each robot began that each last judged.
+        self._judged = np.full((len(self.everyone), len(scenario.robots)), -1)
+        self._facing = [region.facing for region in scenario.plan.regions]
         self.place = np.full(len(self.everyone), -1, dtype=np.intp)
         self.activity = np.full(len(self.everyone), int(Activity.UNKNOWN))
         self.pleasing = np.zeros((len(self.everyone), len(scenario.robots)), np.bool_)
@@ -79,6 +85,7 @@ class People:
             Where everybody begins, shape (n, 2) [m].
         """
         self.places.clear()
+        self._judged[:] = -1
         position = np.zeros((len(self.everyone), 2))
         taken = [*self._robots, *filter(None, self._starts)]
         for i, (person, rng) in enumerate(zip(self.everyone, rngs, strict=True)):
@@ -104,9 +111,8 @@ class People:
         Returns:
             Shape (n, n_robots, n_behaviors), in [-1, 1].
         """
-        rows = np.arange(len(self.everyone))[:, None]
         chosen: Array = self._preferences[
-            rows, self.activity[:, None], attends.astype(np.intp)
+            self._rows, self.activity[:, None], attends.astype(np.intp)
         ]
         return chosen
 
@@ -125,21 +131,21 @@ class People:
             seen_strength(senses.attention[:n, n:]), heard_strength(self._heard(senses))
         )
         doing = robots.behaviors
-        value = (
-            strength
-            * self.preferred(attends)[:, np.arange(len(doing)), np.maximum(doing, 0)]
-        )
+        liked = self._preferences[
+            self._rows, self.activity[:, None], attends.astype(np.intp), doing
+        ]
+        value = strength * liked
         self.pleasing = value > 0.0
         begun = np.array([bout.decision for bout in robots.bouts])
-        judged = np.array([p.judged for p in self.everyone]).reshape(n, -1)
-        for i, r in np.argwhere((value != 0.0) & (judged != begun) & (doing >= 0)):
+        new = (value != 0.0) & (self._judged != begun) & (doing >= 0)
+        for i, r in np.argwhere(new).tolist() if new.any() else ():
             person = self.everyone[i]
-            person.judged[r] = begun[r]
+            self._judged[i, r] = begun[r]
             judgement = Judgement(
                 robot=_believed(senses, n, i, r),
                 value=float(value[i, r]),
                 attending=bool(attends[i, r]),
-                cause=robots.cause(int(r)),
+                cause=robots.cause(r),
             )
             person.live_through(judgement)
             found[i].append(judgement)
@@ -168,6 +174,7 @@ class People:
             clock: The time now and the time since the last decision [s].
         """
         now, period = clock
+        activities = [ACTIVITIES[role] for role in self.activity.tolist()]
         for i, person in enumerate(self.everyone):
             person.calm_down(period)
             before = person.intention.wish
@@ -175,7 +182,7 @@ class People:
                 Percept(
                     time=now,
                     period=period,
-                    activity=Activity(int(self.activity[i])),
+                    activity=activities[i],
                     arrived=self._has_arrived(i, crowd),
                     touched=person.touched,
                     mood=person.mood,
@@ -205,8 +212,8 @@ class People:
 
     def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person's hand can touch the robot from where it stands."""
-        person = crowd.position[i]
-        robot = crowd.position[len(self.everyone) + wish.robot]
+        person = crowd.where[i]
+        robot = crowd.where[len(self.everyone) + wish.robot]
         near = math.dist(person, robot) <= REACH
         return near and senses.nothing_between(person, robot)
 
@@ -214,8 +221,7 @@ class People:
         """Walks to where the person wants to be, unless it is on its way or there."""
         intention = self.everyone[i].intention
         if intention.wish is not None:
-            x, y = crowd.position[len(self.everyone) + intention.wish.robot]
-            goal = (float(x), float(y))
+            goal = crowd.where[len(self.everyone) + intention.wish.robot]
         else:
             goal = self.places.claim(i, intention.place)
         if not crowd.is_bound_for(i, goal):
@@ -223,17 +229,19 @@ class People:
 
     def gaze_targets(self, crowd: Crowd) -> Array:
         """The direction in which everybody wants to look, shape (n,) [rad]."""
-        return np.array([self._looks(i, crowd) for i in range(len(self.everyone))])
+        places = self.place.tolist()
+        looks = [self._looks(i, place, crowd) for i, place in enumerate(places)]
+        return np.array(looks)
 
-    def _looks(self, i: int, crowd: Crowd) -> float:
+    def _looks(self, i: int, place: int, crowd: Crowd) -> float:
         look = self.everyone[i].intention.look
-        x, y = crowd.position[i]
         if look != OWN_ACTIVITY:
-            there = crowd.position[look]
-        elif crowd.walks(i) or self.place[i] < 0:
+            there = crowd.where[look]
+        elif crowd.walks(i) or place < 0:
             return float(crowd.heading[i])
         else:
-            there = np.array(self.places.regions[self.place[i]].facing)
+            there = self._facing[place]
+        x, y = crowd.where[i]
         return math.atan2(there[1] - y, there[0] - x)
 
 

@@ -23,8 +23,6 @@ class Person:
         mind: What decides for it.
         intention: What it is about to do.
         mood: In [-1, 1]; private, robots perceive it with noise.
-        judged: The decision at which the bout began that it last judged, for each
-            robot; -1: none.
         pleased: Sum of its positive appraisals, for each robot.
         annoyed: Sum of its negative appraisals, for each robot, as positive numbers.
         touched: Whether its wish to touch was fulfilled in this step.
@@ -37,17 +35,17 @@ class Person:
     n_robots: int
     intention: Intention = field(default=Intention(place=0))
     mood: float = 0.0
-    judged: NDArray[np.intp] = field(init=False)
     pleased: NDArray[np.float64] = field(init=False)
     annoyed: NDArray[np.float64] = field(init=False)
     touched: bool = False
+    _half_view: float = field(init=False)
 
     def __post_init__(self) -> None:
+        self._half_view = math.radians(self.persona.field_of_view) / 2
         self._forget()
 
     def _forget(self) -> None:
         self.mood = 0.0
-        self.judged = np.full(self.n_robots, -1, dtype=np.intp)
         self.pleased = np.zeros(self.n_robots)
         self.annoyed = np.zeros(self.n_robots)
         self.touched = False
@@ -77,7 +75,7 @@ class Person:
         """Half its field of view [rad]; negative with the eyes closed."""
         if not self.intention.eyes_open:
             return -1.0
-        return math.radians(self.persona.field_of_view) / 2
+        return self._half_view
 
     @property
     def hears_from(self) -> float:

@@ -164,3 +164,44 @@ def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> 
             loss[i, j] = 20.0 * np.log10(away) + wall_loss * walls[i, j]
             loss[j, i] = loss[i, j]
     return loss
+
+
+@njit(cache=True)
+def attend(
+    share: Array, attends: Mask, began: Array, above: float, below: float, now: float
+) -> tuple[Mask, Array]:
+    """Who attends to whom: it begins above one threshold and ends below a lower one.
+
+    Args:
+        share: The attention matrix, shape (n, n).
+        attends: Who attended to whom before, shape (n, n).
+        began: Since when [s], NaN where not, shape (n, n).
+        above: Share of attention from which attending begins.
+        below: Share from which it goes on.
+        now: [s].
+
+    Returns:
+        The new ``attends`` and ``began``.
+    """
+    n = share.shape[0]
+    attends_now, began_now = np.zeros((n, n), np.bool_), np.full((n, n), np.nan)
+    for i in range(n):
+        for j in range(n):
+            if share[i, j] >= (below if attends[i, j] else above):
+                attends_now[i, j] = True
+                began_now[i, j] = began[i, j] if attends[i, j] else now
+    return attends_now, began_now
+
+
+@njit(cache=True)
+def hear(source: Array, loss: Array) -> Array:
+    """How loud everybody hears everybody.
+
+    Args:
+        source: Sound level of each at 1 m, shape (n,) [dB].
+        loss: From `attenuation`, shape (n, n) [dB].
+
+    Returns:
+        ``level[i, j]``: how loud i hears j, at least 0, shape (n, n) [dB].
+    """
+    return np.maximum(source - loss, 0.0)

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
+from household.records import Point
 from household.scenario import PerceptionModel
 
 Array = NDArray[np.float64]
@@ -16,6 +17,7 @@ class Senses:
 
     Attributes:
         sees: ``sees[i, j]``: i sees j, shape (n, n).
+        angle: Angle between the gaze of i and the direction to j, shape (n, n) [rad].
         attention: The attention matrix, shape (n, n); rows are observers and sum to
             less than 1.
         attends: ``attends[i, j]``: i attends to j, with hysteresis, shape (n, n).
@@ -25,8 +27,9 @@ class Senses:
     """
 
     def __init__(self, plan: FloorPlan, model: PerceptionModel, n: int) -> None:
-        self._opaque = plan.opaque_segments
         self._walls = plan.wall_segments
+        # Walls are opaque too: what hides is counted as walls and as tall furniture.
+        self._tall = plan.opaque_segments[len(self._walls) :]
         self._model = model
         self._focus = np.deg2rad(model.focus)
         self._n = n
@@ -35,8 +38,9 @@ class Senses:
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
         n = self._n
-        self._position = np.full((n, 2), np.nan)
+        self._position = b""
         self.sees = np.zeros((n, n), dtype=np.bool_)
+        self.angle = np.zeros((n, n))
         self.attention = np.zeros((n, n))
         self.attends = np.zeros((n, n), dtype=np.bool_)
         self.attention_began = np.full((n, n), np.nan)
@@ -65,39 +69,41 @@ class Senses:
             source: Sound level of each at 1 m, shape (n,) [dB].
             now: [s].
         """
-        if not np.array_equal(position, self._position):
-            self._position = position.copy()
-            self._hidden = kernel.crossings(position, self._opaque)
-            walls = kernel.crossings(position, self._walls)
-            self.loss = kernel.attenuation(position, walls, self._model.wall_loss)
-        self.sees, angle = kernel.sight(position, gaze, half_view, self._hidden)
+        self._look_for_walls(position)
+        self.sees, self.angle = kernel.sight(position, gaze, half_view, self._hidden)
         self.attention = kernel.attention(
             position,
             self.sees,
-            angle,
+            self.angle,
             salience,
             absorption,
             self._focus,
             self._model.distance,
         )
-        self.level = np.maximum(source - self.loss, 0.0)
-        self._attend(now)
+        self.level = kernel.hear(source, self.loss)
+        self.attends, self.attention_began = kernel.attend(
+            self.attention,
+            self.attends,
+            self.attention_began,
+            self._model.attend_above,
+            self._model.attend_below,
+            now,
+        )
 
-    def nothing_between(self, one: Array, other: Array) -> bool:
+    def _look_for_walls(self, position: Array) -> None:
+        """What stands between everybody, anew only when somebody has moved."""
+        where = position.tobytes()
+        if where != self._position:
+            self._position = where
+            walls = kernel.crossings(position, self._walls)
+            self._hidden = walls + kernel.crossings(position, self._tall)
+            self.loss = kernel.attenuation(position, walls, self._model.wall_loss)
+
+    def nothing_between(self, one: Point, other: Point) -> bool:
         """Whether no wall or closed door stands between two points.
 
         Args:
-            one: Shape (2,) [m].
-            other: Shape (2,) [m].
+            one: [m].
+            other: [m].
         """
-        return bool(kernel.crossings(np.stack([one, other]), self._walls)[0, 1] == 0)
-
-    def _attend(self, now: float) -> None:
-        """Attending begins above one threshold and ends below a lower one."""
-        threshold = np.where(
-            self.attends, self._model.attend_below, self._model.attend_above
-        )
-        attends = self.attention >= threshold
-        self.attention_began[attends & ~self.attends] = now
-        self.attention_began[~attends] = np.nan
-        self.attends = attends
+        return bool(kernel.crossings(np.array([one, other]), self._walls)[0, 1] == 0)

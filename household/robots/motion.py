@@ -65,7 +65,7 @@ def wander(mover: Mover, crowd: Crowd) -> None:
             mover.rng.uniform(0.0, 2 * math.pi),
             mover.rng.uniform(0.5, STROLL),
         )
-        x, y = crowd.position[mover.body]
+        x, y = crowd.where[mover.body]
         goal = (x + reach * math.cos(angle), y + reach * math.sin(angle))
         crowd.send(mover.body, goal, mover.now)
 
@@ -73,9 +73,8 @@ def wander(mover: Mover, crowd: Crowd) -> None:
 def follow(mover: Mover, crowd: Crowd) -> None:
     """Keeps close to the nearest person."""
     person = _nearest_person(mover, crowd)
-    x, y = crowd.position[person]
-    goal = (float(x), float(y))
-    if math.dist(goal, crowd.position[mover.body]) <= COMPANY:
+    goal = crowd.where[person]
+    if math.dist(goal, crowd.where[mover.body]) <= COMPANY:
         crowd.halt(mover.body)
     elif not crowd.is_bound_for(mover.body, goal):
         crowd.send(mover.body, goal, mover.now)
@@ -101,7 +100,7 @@ def fetch(mover: Mover, crowd: Crowd) -> None:
 
 def _nearest_person(mover: Mover, crowd: Crowd) -> int:
     offset = crowd.position[: mover.n_people] - crowd.position[mover.body]
-    return int((offset**2).sum(axis=1).argmin())
+    return int(np.einsum("ij,ij->i", offset, offset).argmin())
 
 
 MOTIONS: dict[Motion, Callable[[Mover, Crowd], None]] = {

@@ -72,6 +72,15 @@ class Robots:
         """Index of each robot's behavior, -1 before the first, shape (n,)."""
         return np.array([bout.behavior for bout in self.bouts], dtype=np.intp)
 
+    @property
+    def felt(self) -> NDArray[np.float64]:
+        """Sum of caresses and of taps felt in this step, (n, 2), both in [0, 1]."""
+        felt = np.zeros((len(self.names), 2))
+        for robot, touches in enumerate(self.feedback):
+            for touch in touches:
+                felt[robot, 0 if touch.value > 0 else 1] += abs(touch.value)
+        return np.minimum(felt, 1.0)
+
     def sources(self, since: float) -> list[float]:
         """How loud each robot is at 1 m [dB]; what was over before is silent.
 

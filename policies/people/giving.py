@@ -30,7 +30,7 @@ class FeedbackGiving:
     ) -> None:
         self._persona = persona
         self._rng = rng
-        self._freshness = np.ones(n_robots)
+        self._freshness = [1.0] * n_robots
         self._waited = 0.0
         self.wish: Wish | None = None
 
@@ -38,7 +38,10 @@ class FeedbackGiving:
         """Takes in what was perceived: forms, keeps, fulfils or drops a wish."""
         persona = self._persona
         recovered = 1.0 - math.exp(-percept.period / persona.recovery)
-        self._freshness += recovered * (1.0 - self._freshness) * ~percept.pleasing
+        for robot, pleases in enumerate(percept.pleasing.tolist()):
+            if not pleases:
+                lost = 1.0 - self._freshness[robot]
+                self._freshness[robot] += recovered * lost
         self._waited += percept.period
         if percept.touched or self._waited > persona.patience:
             self.wish = None
@@ -48,7 +51,7 @@ class FeedbackGiving:
     def _weigh(self, judgement: Judgement, mood: float) -> None:
         # Both draws are always made, so that equal histories have equal streams
         # whatever the persona's constants are.
-        chance, slip = self._rng.random(2)
+        chance, slip = self._rng.random(2).tolist()
         ready = chance < self._readiness(judgement, mood)
         self._get_used_to(judgement)
         if ready and self.wish is None and calls_for_feedback(self._persona, judgement):
@@ -65,7 +68,7 @@ class FeedbackGiving:
         """Chance that a person reacts to a bout that it appraised."""
         persona, value = self._persona, judgement.value
         if value > 0.0:
-            return persona.praise * value * float(self._freshness[judgement.robot])
+            return persona.praise * value * self._freshness[judgement.robot]
         return persona.sanction * -value * (1.0 - persona.irritability * mood)
 
     def _get_used_to(self, judgement: Judgement) -> None:

@@ -83,7 +83,7 @@ class EverydayMind(Mind):
     def _sleeps(self, percept: Percept, *, there: bool) -> bool:
         """Whether its eyes are closed: in bed, and not just woken by a noise."""
         self._awake -= percept.period
-        if percept.level[self._n_people :].max() >= self._persona.wakes_at:
+        if max(percept.level[self._n_people :].tolist()) >= self._persona.wakes_at:
             self._awake = self._persona.awake_for
         return there and percept.activity is Activity.SLEEPING and self._awake <= 0.0
 
