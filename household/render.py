@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES
+from household.activity import ACTIVITY_NAMES, Activity
 from household.errors import HouseholdError
 from household.home.raster import rasterize, size_of
 from household.perception.cone import gaze_cones
@@ -134,8 +134,9 @@ class Painter:
         for i, name in enumerate(self._scenario.person_names):
             role = int(snapshot.activity[i])
             self._draw_body(surface, snapshot, i, ACTIVITIES[role])
-            asleep = snapshot.half_view[i] < 0
-            text = f"{name}: {ACTIVITY_NAMES[role]}{' (eyes closed)' if asleep else ''}"
+            known = role != Activity.UNKNOWN
+            text = f"{name}: {ACTIVITY_NAMES[role]}" if known else name
+            text += " (eyes closed)" if snapshot.half_view[i] < 0 else ""
             below = (0.0, self._radii[0] * self._raster.scale)
             self._write(surface, text, self._at(snapshot.position[i]), below)
 

@@ -17,9 +17,13 @@ BEHAVIORS = (
     "#d55e00",
     "#0072b2",
     "#9a9a9a",
+    "#8c564b",
+    "#a6d854",
+    "#8da0cb",
+    "#b3589a",
 )
-"""Of a robot's behaviors, in the order of its actions, over and over; after Okabe
-and Ito."""
+"""Of a robot's behaviors, in the order of its actions, over and over; the first are
+those of Okabe and Ito."""
 
 CARESS, TAP = "#1a9850", "#d73027"
 BELIEVED, TRUE = "#ffb000", "#3ddc84"

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from household.home.raster import size_of
-from household.replay.scenery import LANE, WINDOW, names_of, second
+from household.replay.scenery import LANE, WINDOW, lanes_of, names_of, second
 from household.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -23,8 +23,12 @@ def layout(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
     """
     import rerun.blueprint as rrb
 
+    matrix = min(6.0, max(3.0, 0.4 * len(names_of(scenario))))
     left = rrb.Vertical(
-        _attention(scenario), _situations(), _moods(scenario), row_shares=[3, 1.2, 2]
+        _attention(scenario),
+        _situations(),
+        _moods(),
+        row_shares=[matrix, 1.2, 2],
     )
     values = _values(scenario) if learns else []
     shares = [2.0] * len(values) + [2.5]
@@ -75,7 +79,7 @@ def _attention(scenario: Scenario) -> Any:  # noqa: ANN401
         name="Attention: row looks at column",
         background=PAPER,
         visual_bounds=rrb.VisualBounds2D(
-            x_range=[-1.3, n + 0.3], y_range=[-1.0, n + 0.5]
+            x_range=[-0.2 * n - 1, n + 0.3], y_range=[-1.0, n + 0.5]
         ),
     )
 
@@ -106,7 +110,7 @@ def _values(scenario: Scenario) -> list[Any]:
     return views if len(views) <= 3 else [rrb.Tabs(*views)]
 
 
-def _moods(scenario: Scenario) -> Any:  # noqa: ANN401
+def _moods() -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
     return rrb.TimeSeriesView(
@@ -138,13 +142,13 @@ def _rewards() -> list[Any]:
 def _doings(scenario: Scenario) -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
-    lanes = [f"+ /doing/{name}" for name in names_of(scenario)]
+    lanes = [f"+ /{lane}" for lane in lanes_of(scenario)]
     boundary = rrb.TimeRangeBoundary
     around = rrb.TimeRange(
         boundary.cursor_relative(seq=-40), boundary.cursor_relative(seq=5)
     )
     return rrb.StateTimelineView(
-        origin="/doing",
+        origin="/",
         contents=lanes,
         name="Activities and behaviors",
         time_view=rrb.TimeAxis(view_range=around),
@@ -176,7 +180,7 @@ def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
         background=PAPER,
         visual_bounds=rrb.VisualBounds2D(
             x_range=[-(WINDOW + 9) * unit, 2 * unit],
-            y_range=[-0.7 * LANE, (n - 0.2) * LANE],
+            y_range=[-0.7 * LANE, (n - 0.1) * LANE],
         ),
         time_ranges=ranges,
     )

@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES
+from household.activity import ACTIVITY_NAMES, Activity
 from household.environment import PERSON_RADIUS, ROBOT_RADIUS
 from household.perception.cone import RAYS, gaze_cones
 from household.replay.colors import ACTIVITIES, behavior_color, heat, packed
 from household.replay.rows import NAMES, Rows
-from household.replay.scenery import LANE, second
+from household.replay.scenery import LANE, lanes_of, second
 from household.replay.stream import Stream, exact
 from household.scenario import Scenario
 
@@ -58,7 +58,7 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     mask = changes(rows.activity)
     colors = packed(ACTIVITIES)[rows.activity[mask]]
     labels = [
-        f"{name}: {ACTIVITY_NAMES[role]}"
+        name if role == Activity.UNKNOWN else f"{name}: {ACTIVITY_NAMES[role]}"
         for roles in rows.activity[mask]
         for name, role in zip(scenario.person_names, roles, strict=True)
     ]
@@ -154,15 +154,13 @@ def _send_attention(stream: Stream, rows: Rows) -> None:
 def _send_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
-    people, robots = scenario.person_names, scenario.robot_names
-    words = [list(ACTIVITY_NAMES)] * len(people) + [[*scenario.behaviors, ""]] * len(
-        robots
-    )
-    doing = np.hstack([rows.activity, rows.behavior]).T
-    for name, names, course in zip(people + robots, words, doing, strict=True):
+    behaviors, activities = [*scenario.behaviors, ""], list(ACTIVITY_NAMES)
+    courses = np.hstack([rows.activity, rows.behavior]).T
+    for lane, course in zip(lanes_of(scenario), courses, strict=True):
+        names = behaviors if lane.startswith("behavior") else activities
         mask = changes(course)
         states = rr.StateChange.columns(state=[names[i] for i in course[mask]])
-        stream.send(f"doing/{name}", (rows.decision[mask], rows.time[mask]), states)
+        stream.send(lane, (rows.decision[mask], rows.time[mask]), states)
 
 
 def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:

@@ -23,8 +23,8 @@ PICTURE_SCALE = 100.0
 LANE = 1.6
 """Height of a robot's lane in the picture of credit."""
 
-MOST_NAMES = 16
-"""With more people and robots, names at the attention matrix would hide each other."""
+MOST_ROWS, MOST_COLUMNS = 16, 8
+"""With more, names at the attention matrix would hide each other."""
 
 WHITE = (255, 255, 255)
 GRAY = (235, 235, 235)
@@ -48,6 +48,15 @@ def second(scenario: Scenario) -> float:
 def names_of(scenario: Scenario) -> tuple[str, ...]:
     """Everybody, people first and robots after them."""
     return scenario.person_names + scenario.robot_names
+
+
+def lanes_of(scenario: Scenario) -> tuple[str, ...]:
+    """Entities that tell what everybody does, people first and robots after them.
+
+    The viewer sorts them by name, which puts robots on top.
+    """
+    people = tuple(f"doing/{name}" for name in scenario.person_names)
+    return people + tuple(f"behavior/{name}" for name in scenario.robot_names)
 
 
 def set_scene(stream: Stream, scenario: Scenario, learns: bool) -> None:
@@ -133,17 +142,14 @@ def _series(stream: Stream, scenario: Scenario, learns: bool) -> None:
 def _lanes(stream: Stream, scenario: Scenario) -> None:
     import rerun as rr
 
-    activities = list(ACTIVITY_NAMES)
-    for person in scenario.person_names:
-        style = rr.StateConfiguration(
-            values=activities, labels=activities, colors=packed(ACTIVITIES)
-        )
-        stream.fix(f"doing/{person}", style)
-    behaviors = list(scenario.behaviors)
-    colors = packed([behavior_color(i) for i in range(len(behaviors))])
-    for robot in scenario.robot_names:
-        style = rr.StateConfiguration(values=behaviors, labels=behaviors, colors=colors)
-        stream.fix(f"doing/{robot}", style)
+    behaviors, activities = list(scenario.behaviors), list(ACTIVITY_NAMES)
+    palette = packed([behavior_color(i) for i in range(len(behaviors))])
+    for lane in lanes_of(scenario):
+        robot = lane.startswith("behavior")
+        names = behaviors if robot else activities
+        colors = palette if robot else packed(ACTIVITIES)
+        style = rr.StateConfiguration(values=names, labels=names, colors=colors)
+        stream.fix(lane, style)
 
 
 def _attention(stream: Stream, scenario: Scenario) -> None:
@@ -154,13 +160,14 @@ def _attention(stream: Stream, scenario: Scenario) -> None:
     cells = rr.components.ImageFormat(n, n, color_model="RGB", channel_datatype="U8")
     stream.fix("attention", rr.Image.from_fields(format=cells))
     at = np.arange(n) + 0.5
-    rows = np.stack([np.full(n, -0.6), at], 1)
+    rows = np.stack([np.full(n, -0.1 * n - 0.3), at], 1)
     columns = np.stack([at, np.full(n, -0.45)], 1)
     label: dict[str, Any] = {"radii": 0.0, "colors": [GRAY], "show_labels": True}
-    short = [p[:5] for p in scenario.person_names]
+    short = [p[:5] if n <= 5 else p[:2] for p in scenario.person_names]
     short += [f"r{j}" for j in range(len(scenario.robots))]
-    if n <= MOST_NAMES:
+    if n <= MOST_ROWS:
         stream.fix("attention/rows", rr.Points2D(rows, labels=list(names), **label))
+    if n <= MOST_COLUMNS:
         stream.fix("attention/columns", rr.Points2D(columns, labels=short, **label))
 
 
