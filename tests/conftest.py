@@ -4,7 +4,9 @@ import msgspec
 import numpy as np
 import pytest
 
+from household.activity import Activity
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
+from household.people.mind import Percept
 from household.records import shipped
 from household.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
 
@@ -71,6 +73,28 @@ def household_of(room):
             robots=(RobotSpec(position=(6.0, 2.5)),),
         )
         return msgspec.structs.replace(usual, **changes)
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def percept():
+    """Makes what somebody perceives in a quiet moment: two people and two robots."""
+
+    def make(**changes: object) -> Percept:
+        usual = {
+            "time": 0.0,
+            "period": 1.0,
+            "activity": Activity.PLAYING,
+            "arrived": True,
+            "touched": False,
+            "mood": 0.0,
+            "judgements": (),
+            "pleasing": np.zeros(2, dtype=bool),
+            "sees": np.zeros(4, dtype=bool),
+            "level": np.zeros(4),
+        }
+        return Percept(**(usual | changes))
 
     return make
 
