@@ -1,0 +1,138 @@
+"""What is installed: exactly the four packages, with all their data."""
+
+import configparser
+import importlib
+import subprocess
+import sys
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import household
+
+PACKAGES = ("experiments", "household", "learners", "policies")
+ROOT = Path(household.__file__).parent.parent
+
+pytestmark = pytest.mark.skipif(
+    not (ROOT / "pyproject.toml").is_file(), reason="needs the project's folder"
+)
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """The wheel that the project builds; with the tools that are installed here."""
+    folder = tmp_path_factory.mktemp("wheel")
+    subprocess.run(
+        [
+            *(sys.executable, "-m", "build", "--wheel", "--no-isolation"),
+            *("--outdir", str(folder), str(ROOT)),
+        ],
+        check=True,
+        capture_output=True,
+    )
+    (path,) = folder.glob("*.whl")
+    return path
+
+
+@pytest.fixture(scope="module")
+def names(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        return archive.namelist()
+
+
+@pytest.fixture
+def unpacked(wheel, tmp_path):
+    """The wheel's content in a folder of its own."""
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(tmp_path / "unpacked")
+    return tmp_path / "unpacked"
+
+
+def run(python, code, folder, **environment):
+    done = subprocess.run(
+        [str(python), "-c", code],
+        cwd=folder,
+        env=environment or None,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_the_four_packages_come_from_one_folder():
+    """A foreign distribution of the same name would come from another."""
+    folders = {
+        Path(importlib.import_module(n).__file__).parent.parent for n in PACKAGES
+    }
+    assert folders == {ROOT}
+
+
+def test_the_wheel_holds_exactly_the_four_packages(names):
+    tops = {name.partition("/")[0] for name in names}
+    info = f"polite_household-{household.__version__}.dist-info"
+    assert tops == {*PACKAGES, info}
+
+
+def test_the_wheel_holds_every_file_of_the_packages(names):
+    """Homes, personas, scenarios, templates and type markers as well as modules."""
+    there = {
+        path.relative_to(ROOT).as_posix()
+        for package in PACKAGES
+        for path in (ROOT / package).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    assert {name for name in names if name.partition("/")[0] in PACKAGES} == there
+    assert {f"{package}/py.typed" for package in PACKAGES} <= there
+    assert sum(name.endswith(".toml") for name in there) >= 20
+
+
+def test_the_wheel_names_the_command_and_its_version(wheel, names):
+    info = f"polite_household-{household.__version__}.dist-info"
+    with zipfile.ZipFile(wheel) as archive:
+        scripts = configparser.ConfigParser()
+        scripts.read_string(archive.read(f"{info}/entry_points.txt").decode())
+        metadata = archive.read(f"{info}/METADATA").decode()
+    module, _, function = scripts["console_scripts"]["household"].partition(":")
+    assert callable(getattr(importlib.import_module(module), function))
+    assert f"Version: {household.__version__}" in metadata.splitlines()
+
+
+def test_what_the_wheel_holds_runs_from_an_empty_folder(unpacked, tmp_path):
+    (tmp_path / "empty").mkdir()
+    code = (
+        "from household import household_v0\n"
+        "from household.records import shipped\n"
+        "import household\n"
+        "for name in shipped('scenarios'):\n"
+        "    household_v0.parallel_env(name).reset(seed=1)\n"
+        "print(household.__file__)\n"
+    )
+    told = run(
+        sys.executable,
+        code,
+        tmp_path / "empty",
+        PYTHONPATH=str(unpacked),
+        NUMBA_DISABLE_JIT="1",
+    )
+    assert told.strip() == str(unpacked / "household" / "__init__.py")
+
+
+@pytest.mark.slow
+def test_the_wheel_installs_into_a_fresh_environment(wheel, tmp_path):
+    venv.create(tmp_path / "fresh", with_pip=True)
+    python = tmp_path / "fresh" / "bin" / "python"
+    subprocess.run([python, "-m", "pip", "install", "--quiet", str(wheel)], check=True)
+    code = (
+        "import experiments, household, learners, policies\n"
+        "from household import household_v0\n"
+        "household_v0.parallel_env('evening').reset(seed=1)\n"
+        "print('works')\n"
+    )
+    assert run(python, code, tmp_path) == "works\n"
+    command = tmp_path / "fresh" / "bin" / "household"
+    done = subprocess.run([command, "--help"], capture_output=True, check=False)
+    assert done.returncode == 0
