@@ -31,21 +31,48 @@ def gaze_cones(
     """
     moments, n = gaze.shape
     outline = np.empty((moments, n, RAYS + 2, 2))
+    near = np.empty_like(segments)
     for t in range(moments):
         for i in range(n):
-            x, y = position[t, i, 0], position[t, i, 1]
+            x, y, half = position[t, i, 0], position[t, i, 1], half_view[t, i]
+            if (
+                t > 0
+                and x == position[t - 1, i, 0]
+                and y == position[t - 1, i, 1]
+                and gaze[t, i] == gaze[t - 1, i]
+                and half == half_view[t - 1, i]
+            ):
+                outline[t, i] = outline[t - 1, i]
+                continue
             outline[t, i, :, 0] = x
             outline[t, i, :, 1] = y
-            half = half_view[t, i]
             if half < 0.0:
                 continue
+            count = _gather(x, y, segments, reach, near)
             for ray in range(RAYS):
                 angle = gaze[t, i] + half * (2.0 * ray / (RAYS - 1) - 1.0)
                 dx, dy = math.cos(angle), math.sin(angle)
-                free = _free(x, y, dx, dy, segments, reach)
+                free = _free(x, y, dx, dy, near[:count], reach)
                 outline[t, i, ray + 1, 0] = x + free * dx
                 outline[t, i, ray + 1, 1] = y + free * dy
     return outline
+
+
+@njit(cache=True)
+def _gather(x, y, segments, reach, near):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
+    """Copies the segments that could be within reach to `near`; returns how many."""
+    count = 0
+    for k in range(segments.shape[0]):
+        x1, y1, x2, y2 = segments[k]
+        if (
+            min(x1, x2) <= x + reach
+            and max(x1, x2) >= x - reach
+            and min(y1, y2) <= y + reach
+            and max(y1, y2) >= y - reach
+        ):
+            near[count] = segments[k]
+            count += 1
+    return count
 
 
 @njit(cache=True)

@@ -57,14 +57,10 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     _send_bodies(stream, "world/people", rows, slice(0, n), PERSON_RADIUS)
     mask = changes(rows.activity)
     colors = packed(ACTIVITIES)[rows.activity[mask]]
-    labels = [
-        name if role == Activity.UNKNOWN else f"{name}: {ACTIVITY_NAMES[role]}"
-        for roles in rows.activity[mask]
-        for name, role in zip(scenario.person_names, roles, strict=True)
-    ]
+    labels = _person_labels(scenario)[np.arange(n), rows.activity[mask]]
     style = rr.Points2D.columns(colors=colors.reshape(-1))
     _send_groups(stream, "world/people", rows, mask, style, n)
-    texts = rr.Points2D.columns(labels=labels)
+    texts = rr.Points2D.columns(labels=labels.reshape(-1).tolist())
     _send_groups(stream, "world/people/names", rows, mask, texts, n)
     mask = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
     cones = gaze_cones(
@@ -78,6 +74,17 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     tint = packed(ACTIVITIES, 160)[rows.activity[mask]].reshape(-1)
     outline = rr.LineStrips2D.columns(strips=strips, colors=tint)
     _send_groups(stream, "world/people/gaze", rows, mask, outline, n)
+
+
+def _person_labels(scenario: Scenario) -> NDArray[np.object_]:
+    """What stands at each person in each activity, shape (n_people, n_activities)."""
+    return np.array(
+        [
+            [f"{name}: {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [name]
+            for name in scenario.person_names
+        ],
+        dtype=np.object_,
+    )
 
 
 def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:

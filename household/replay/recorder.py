@@ -3,6 +3,7 @@
 import atexit
 import time
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +17,8 @@ from household.replay.moving import send_rows
 from household.replay.process import open_viewer
 from household.replay.rows import Buffer
 from household.replay.scenery import set_scene
-from household.replay.stream import Moments, Stream, moments_of
+from household.replay.stream import Moments, Stream, moments_of, saved_layout
+from household.scenario import Scenario
 from household.snapshot import Snapshot, situations, snapshot
 
 if TYPE_CHECKING:
@@ -74,9 +76,12 @@ class Recorder:
 
     def _begin(self, learns: bool) -> None:
         scenario = self._scenario
-        self._stream.lay_out(layout(scenario, learns, live=self._watch))
-        plain = msgspec.structs.replace(scenario, home=scenario.plan)
-        self._stream.describe(scenario=msgspec.json.encode(plain).decode())
+        # A scenario is not hashable, but its text is.
+        whole = msgspec.structs.replace(scenario, home=scenario.plan)
+        text = msgspec.json.encode(whole)
+        live = self._watch
+        self._stream.lay_out(_layout(text, learns, live, self._stream.kind))
+        self._stream.describe(scenario=text.decode())
         set_scene(self._stream, scenario, learns)
 
     def record(self) -> None:
@@ -172,3 +177,10 @@ def _address(watch: bool | str) -> str | None:
     if isinstance(watch, str):
         return watch
     return open_viewer() if watch else None
+
+
+@lru_cache(maxsize=8)
+def _layout(scenario: bytes, learns: bool, live: bool, kind: str) -> bytes:
+    """The stored layout; made once for all episodes of a household."""
+    household = msgspec.json.decode(scenario, type=Scenario)
+    return saved_layout(layout(household, learns, live), kind)

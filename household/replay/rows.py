@@ -63,7 +63,7 @@ class Buffer:
             name: np.zeros((capacity, *shape), dtype=kind)
             for name, (shape, kind) in layout(scenario).items()
         }
-        self._columns = [(name, self._arrays[name]) for name in NAMES]
+        self._columns = [self._arrays[name] for name in NAMES]
         self._capacity = capacity
         self._filled = 0
 
@@ -75,8 +75,9 @@ class Buffer:
     def put(self, snapshot: Snapshot) -> None:
         """Adds a snapshot; its touches are kept elsewhere."""
         row = self._filled
-        for name, column in self._columns:
-            column[row] = getattr(snapshot, name)
+        # The touches, which have no column, are a snapshot's last field.
+        for column, value in zip(self._columns, snapshot, strict=False):
+            column[row] = value
         self._filled = row + 1
 
     def take(self) -> Rows:

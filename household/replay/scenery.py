@@ -1,11 +1,13 @@
 """Scenery: what does not change in a recording, written once at its beginning."""
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from household.activity import ACTIVITY_NAMES
 from household.environment import PERSON_RADIUS, ROBOT_RADIUS
+from household.home.floorplan import FloorPlan
 from household.home.raster import rasterize
 from household.replay.colors import (
     ACTIVITIES,
@@ -78,16 +80,22 @@ def set_scene(stream: Stream, scenario: Scenario, learns: bool) -> None:
 def _home(stream: Stream, scenario: Scenario) -> None:
     import rerun as rr
 
-    raster = rasterize(scenario.plan, PICTURE_SCALE)
     # The world's y points up, the viewer's down.
     up = [[1, 0, 0], [0, -1, 0], [0, 0, 1]]
     stream.fix("world", rr.Transform3D(mat3x3=up))
-    scale, corner = 1 / raster.scale, [raster.left, -raster.top, 0.0]
-    stream.fix(
-        "plan",
-        rr.Transform3D(translation=corner, scale=scale),
-        rr.Image(raster.pixels, draw_order=-10.0).compress(jpeg_quality=92),
-    )
+    stream.fix("plan", *_picture(scenario.plan))
+
+
+@lru_cache(maxsize=8)
+def _picture(plan: FloorPlan) -> tuple[Any, Any]:
+    """A home's picture and where it is; drawn once, shown in every episode."""
+    import rerun as rr
+
+    raster = rasterize(plan, PICTURE_SCALE)
+    corner = [raster.left, -raster.top, 0.0]
+    place = rr.Transform3D(translation=corner, scale=1 / raster.scale)
+    image = rr.Image(raster.pixels, draw_order=-10.0)
+    return place, image.compress(jpeg_quality=92)
 
 
 def _bodies(stream: Stream) -> None:

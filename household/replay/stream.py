@@ -61,14 +61,14 @@ class Stream:
         """Whether it can still be written to."""
         return self._recording is not None
 
-    def lay_out(self, blueprint: Any) -> None:  # noqa: ANN401 - Rerun's blueprint
-        """Puts a layout into the recording.
+    def lay_out(self, layout: bytes) -> None:
+        """Puts a layout, as `saved_layout` makes it, into the recording.
 
         Through a file, as Rerun's own call leaves two threads behind at each episode.
         """
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "layout.rbl"
-            blueprint.save(self.kind, str(path))
+            path.write_bytes(layout)
             self.recording.log_file_from_path(path)
             self.recording.flush()
 
@@ -151,6 +151,14 @@ def _column(name: str, rows: Any) -> "rr.ComponentColumn":  # noqa: ANN401 - Arr
 
     descriptor = rr.ComponentDescriptor(f"State:{name}", archetype=ARCHETYPE)
     return rr.ComponentColumn(descriptor, rr.AnyBatchValue(descriptor, rows))
+
+
+def saved_layout(blueprint: Any, kind: str) -> bytes:  # noqa: ANN401 - Rerun's
+    """A layout for recordings of one kind, as it is stored."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "layout.rbl"
+        blueprint.save(kind, str(path))
+        return path.read_bytes()
 
 
 def moments_of(decisions: Iterable[int], period: float) -> Moments:

@@ -3,7 +3,6 @@ import signal
 import subprocess
 import sys
 import textwrap
-from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -13,6 +12,7 @@ from household.errors import HouseholdError
 from household.replay import RecordEpisodes
 from household.replay.reading import read_replay
 from household.replay.recorder import Recorder
+from household.replay.rows import NAMES
 from household.snapshot import Snapshot, snapshot
 
 
@@ -22,15 +22,11 @@ def choose(env, rng):
 
 def equal(one: Snapshot, other: Snapshot) -> bool:
     """Whether two snapshots are equal, bit for bit and in their types."""
-    pairs = [
-        (getattr(one, field.name), getattr(other, field.name))
-        for field in fields(Snapshot)
-    ]
     return all(
         a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
         if isinstance(a, np.ndarray)
         else type(a) is type(b) and a == b
-        for a, b in pairs
+        for a, b in zip(one, other, strict=True)
     )
 
 
@@ -80,6 +76,10 @@ def test_a_snapshot_does_not_change_with_the_household(busy_home):
         busy_home.step(choose(busy_home, np.random.default_rng(0)))
     assert equal(before, again)
     assert not equal(before, snapshot(busy_home))
+
+
+def test_rows_and_snapshots_have_the_same_fields_in_the_same_order():
+    assert (*NAMES, "touches") == Snapshot._fields
 
 
 def test_each_episode_gets_a_file_of_its_own(tmp_path):
