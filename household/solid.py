@@ -16,6 +16,9 @@ Point = tuple[float, float]
 ROUNDS = 3
 """How often a body is pushed out: a corner pushes it from one side to the other."""
 
+WEDGED = 0.005
+"""Who still overlaps by more after that [m] was pressed to where it does not fit."""
+
 
 @njit(cache=True)
 def keep_out(
@@ -24,7 +27,8 @@ def keep_out(
     """Puts bodies back that sank into something solid.
 
     A body whose middle went through a segment goes back to where it was; one that
-    overlaps a segment is pushed out along the shortest way.
+    overlaps a segment is pushed out along the shortest way; one that was pressed into
+    a gap too narrow for it goes back, too.
 
     Args:
         before: Where the bodies were, out of everything solid, shape (n, 2) [m].
@@ -48,6 +52,8 @@ def keep_out(
             if pushed == b:
                 break
             b, moved[i] = pushed, True
+        if moved[i] and not _fits(b, radius[i], segments, thickness):
+            b = a
         after[i, 0], after[i, 1] = b
     return np.flatnonzero(moved)
 
@@ -70,17 +76,35 @@ def _pushed_out(b: Point, radius: float, segments: Array, thickness: Array) -> P
         least = radius + thickness[k]
         if not _near((x, y, x, y), least, segments, k):
             continue
-        x1, y1, x2, y2 = segments[k]
-        dx, dy = x2 - x1, y2 - y1
-        ox, oy = x - x1, y - y1
-        along = (ox * dx + oy * dy) / max(dx * dx + dy * dy, 1e-12)
-        along = min(max(along, 0.0), 1.0)
-        gx, gy = ox - along * dx, oy - along * dy
+        gx, gy = _offset((x, y), segments, k)
         gap = np.sqrt(gx * gx + gy * gy)
         if 1e-9 < gap < least:
             x += gx / gap * (least - gap)
             y += gy / gap * (least - gap)
     return x, y
+
+
+@njit(cache=True)
+def _fits(b: Point, radius: float, segments: Array, thickness: Array) -> bool:
+    """Whether a body overlaps no segment, but for a little."""
+    for k in range(len(segments)):
+        least = radius + thickness[k] - WEDGED
+        if _near((b[0], b[1], b[0], b[1]), least, segments, k):
+            gx, gy = _offset(b, segments, k)
+            if np.sqrt(gx * gx + gy * gy) < least:
+                return False
+    return True
+
+
+@njit(cache=True)
+def _offset(b: Point, segments: Array, k: int) -> Point:
+    """From the nearest point of a segment to a body's middle."""
+    x1, y1, x2, y2 = segments[k]
+    dx, dy = x2 - x1, y2 - y1
+    ox, oy = b[0] - x1, b[1] - y1
+    along = (ox * dx + oy * dy) / max(dx * dx + dy * dy, 1e-12)
+    along = min(max(along, 0.0), 1.0)
+    return ox - along * dx, oy - along * dy
 
 
 @njit(cache=True)
