@@ -86,6 +86,18 @@ def test_a_crowd_that_presses_into_a_corner_presses_nobody_into_the_wall(room):
         assert deepest(plan, position, PERSON) <= OVERLAP
 
 
+def test_a_gap_too_narrow_for_a_body_does_not_let_it_in_however_it_is_pressed(room):
+    """Between the wall and a chair's corner; the engine would squeeze it in."""
+    chair = Furniture(name="chair", center=(7.35, 1.0), size=(0.8, 0.8), angle=45.0)
+    plan = room(furniture=(chair,))
+    world = World(plan, *people(3))
+    world.place(np.array([[7.69, 1.7], [7.69, 2.25], [7.2, 2.2]]))
+    for _ in range(40):
+        velocity = np.array([[0.0, -1.2], [0.0, -1.2], [0.7, -0.9]])
+        position = world.advance(velocity, 0.1, 2)
+        assert deepest(plan, position, PERSON) <= OVERLAP
+
+
 def test_bodies_push_each_other_and_the_heavy_one_yields_less(room):
     world = World(room(), np.array([PERSON, ROBOT]), np.array([70.0, 2.0]))
     world.place(np.array([[2.0, 2.5], [3.0, 2.5]]))
