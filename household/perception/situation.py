@@ -9,7 +9,7 @@ form.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from household.perception.canonical import Relation, canonical_orders
+from household.perception.canonical import Relation, canonical_order
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,11 +52,8 @@ class Situation:
         names = self.entities
         features = {actor: self._alone(actor, role) for actor, role in self.plays}
         among = [(a, b) for a, b in self.attends if a in features and b in features]
-        orders = canonical_orders(features, among)
-        candidates = (
-            self._renamed(dict(zip(order, names, strict=True))) for order in orders
-        )
-        return min(candidates, key=lambda s: (s.plays, sorted(s.attends)))
+        order = canonical_order(features, among)
+        return self._renamed(dict(zip(order, names, strict=True)))
 
     def _alone(self, actor: str, role: str) -> tuple[str, list[str], list[str]]:
         """What is true of an actor without looking at other actors."""
