@@ -1,6 +1,7 @@
 """Situations: hashable, free of order, and one canonical form for all swaps."""
 
 import itertools
+import random
 
 import pytest
 from hypothesis import given, settings
@@ -64,9 +65,9 @@ def test_two_canonical_forms_are_equal_only_within_one_closure(one, other):
 
 @settings(max_examples=200, deadline=None)
 @given(situations(), st.randoms(use_true_random=False))
-def test_a_look_that_moves_is_another_class_unless_swaps_lead_there(situation, random):
+def test_a_look_that_moves_is_another_class_unless_swaps_lead_there(situation, chance):
     pairs = sorted(itertools.permutations((*situation.entities, *ROBOTS), 2))
-    moved = {random.choice(pairs), random.choice(pairs)}
+    moved = {chance.choice(pairs), chance.choice(pairs)}
     other = Situation.of(dict(situation.plays), situation.attends ^ moved)
     same = other.canonical() == situation.canonical()
     assert same == (other in closure(situation))
@@ -74,9 +75,9 @@ def test_a_look_that_moves_is_another_class_unless_swaps_lead_there(situation, r
 
 @settings(max_examples=100, deadline=None)
 @given(situations(), st.randoms(use_true_random=False))
-def test_the_canonical_form_does_not_depend_on_names(situation, random):
+def test_the_canonical_form_does_not_depend_on_names(situation, chance):
     order = list(situation.entities)
-    random.shuffle(order)
+    chance.shuffle(order)
     assert shuffled(situation, order).canonical() == situation.canonical()
 
 
@@ -99,10 +100,10 @@ def test_swapping_twice_changes_nothing(situation, data):
 
 @settings(max_examples=100, deadline=None)
 @given(situations(), st.randoms(use_true_random=False))
-def test_the_order_in_which_it_is_told_makes_no_difference(situation, random):
+def test_the_order_in_which_it_is_told_makes_no_difference(situation, chance):
     roles, pairs = list(situation.plays), sorted(situation.attends)
-    random.shuffle(roles)
-    random.shuffle(pairs)
+    chance.shuffle(roles)
+    chance.shuffle(pairs)
     again = Situation.of(dict(roles), pairs)
     assert again == situation
     assert hash(again) == hash(situation)
@@ -155,6 +156,30 @@ def test_many_who_are_all_alike_have_a_canonical_form_at_once(n):
     roles = {f"person_{i:02}": "reading" for i in range(n)}
     looks = [(name, "robot_0") for name in roles]
     situation = Situation.of(roles, looks)
+    assert situation.canonical() == situation
+
+
+@pytest.mark.parametrize("n", [12, 64])
+def test_many_who_talk_in_pairs_have_a_canonical_form_without_trying_every_order(n):
+    """Renamed at random it is the same: 32 pairs could be put in 32! orders."""
+    names = [f"person_{i:02}" for i in range(n)]
+    pairs = [
+        p
+        for a, b in zip(names[::2], names[1::2], strict=True)
+        for p in ((a, b), (b, a))
+    ]
+    situation = Situation.of(dict.fromkeys(names, "reading"), pairs)
+    order = random.Random(1).sample(names, n)
+    assert shuffled(situation, order) != situation
+    assert shuffled(situation, order).canonical() == situation.canonical()
+
+
+@pytest.mark.parametrize("n", [8, 16])
+def test_all_who_look_at_all_have_a_canonical_form_without_trying_every_order(n):
+    names = [f"person_{i:02}" for i in range(n)]
+    situation = Situation.of(
+        dict.fromkeys(names, "reading"), itertools.permutations(names, 2)
+    )
     assert situation.canonical() == situation
 
 
