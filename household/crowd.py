@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
-from household.locomotion import STUCK, face_ahead, follow_up, steer, turn_heads
+from household.locomotion import STUCK, follow_up, steer, turn_heads
+from household.records import Point
 from household.world import World
 
 Array = NDArray[np.float64]
-Waypoints = list[tuple[float, float]]
+Waypoints = list[Point]
 
 PASSED = 0.15
 """Distance at which a waypoint on the way counts as passed [m]."""
@@ -49,7 +50,6 @@ class Crowd:
 
     Attributes:
         position: Where every body is, shape (n, 2) [m].
-        where: The same as pairs of numbers [m].
         heading: Where every body faces, shape (n,) [rad].
         gaze: Where every head points, shape (n,) [rad].
         walk_began: Since when each body has been walking, NaN if it stands [s].
@@ -77,8 +77,9 @@ class Crowd:
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._sidesteps = 0
-        self._settled: list[tuple[float, float] | None] = [None] * n
+        self._settled: list[Point | None] = [None] * n
         self._moving = False
+        self._where: list[Point] | None = None
         self._stand(np.zeros((n, 2)))
         self.heading = np.zeros(n)
         self.gaze = np.zeros(n)
@@ -97,6 +98,13 @@ class Crowd:
         self.walk_began[:] = np.nan
         self._moving = False
 
+    @property
+    def where(self) -> list[Point]:
+        """`position` in Python's own numbers: a tenth of the time to read."""
+        if self._where is None:
+            self._where = [(x, y) for x, y in self.position.tolist()]
+        return self._where
+
     def walks(self, i: int) -> bool:
         """Whether a body is on its way somewhere."""
         return bool(self._ways[i])
@@ -106,7 +114,7 @@ class Crowd:
         """Who is on its way somewhere, shape (n,)."""
         return self._pace > 0.0
 
-    def is_bound_for(self, i: int, goal: tuple[float, float]) -> bool:
+    def is_bound_for(self, i: int, goal: Point) -> bool:
         """Whether a body is at a point, on its way there, or as near as others let it.
 
         Args:
@@ -120,7 +128,7 @@ class Crowd:
         crowded = settled is not None and math.dist(settled, goal) <= DRIFT
         return away <= (CROWDED if crowded else DRIFT)
 
-    def send(self, i: int, goal: tuple[float, float], now: float) -> bool:
+    def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
 
         Args:
@@ -153,11 +161,15 @@ class Crowd:
         if not (self._moving or self._pace.any()):
             return
         velocity = steer(
-            self.position, self._waypoint, self._pace, self._radius, self._period
+            self.position,
+            self._waypoint,
+            self._pace,
+            self._radius,
+            self._period,
+            self.heading,
         )
         before = self.position
         self._stand(self._world.advance(velocity, self._tick, self._ticks))
-        face_ahead(self.heading, velocity, self._pace)
         # Bodies that were pushed come to rest in the period after.
         due, self._moving = follow_up(
             before,
@@ -178,8 +190,7 @@ class Crowd:
     def _stand(self, position: Array) -> None:
         """Everybody is somewhere else now."""
         self.position = position
-        # Python's own numbers: reading one out of an array takes ten times as long.
-        self.where: list[tuple[float, float]] = [(x, y) for x, y in position.tolist()]
+        self._where = None
 
     def _pass_waypoint(self, i: int) -> None:
         if len(self._ways[i]) > 1:

@@ -136,6 +136,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)
+        self._noise = np.zeros((n_robots, MOST_PEOPLE))
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         # Situations recur; each is put together once.
         self._situation = lru_cache(maxsize=SITUATIONS_KEPT)(self._make_situation)
@@ -332,10 +333,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         )
         moods = np.array([person.mood for person in people.everyone])
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
-        noise = [
-            rng.standard_normal(MOST_PEOPLE)[:n_people] for rng in self._streams.robots
-        ]
-        misread = self.scenario.perception.mood_noise * np.array(noise)
+        for rng, drawn in zip(self._streams.robots, self._noise, strict=True):
+            rng.standard_normal(out=drawn)
+        misread = self.scenario.perception.mood_noise * self._noise[:, :n_people]
         self._moods = np.minimum(np.maximum(moods + misread, -1.0), 1.0)
 
     def _results(self) -> Any:  # noqa: ANN401 - the tuple that `step` documents

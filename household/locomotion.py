@@ -28,7 +28,12 @@ STILL = 1e-6
 
 @njit(cache=True)
 def steer(
-    position: Array, waypoint: Array, speed: Array, radius: Array, period: float
+    position: Array,
+    waypoint: Array,
+    speed: Array,
+    radius: Array,
+    period: float,
+    heading: Array,
 ) -> Array:
     """Velocities that lead walkers to their waypoints, keeping to the right.
 
@@ -42,6 +47,8 @@ def steer(
         speed: Shape (n,) [m/s]; 0: stands.
         radius: Of each body, shape (n,) [m].
         period: Time until the next steering [s].
+        heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
+            place, where they go.
 
     Returns:
         Shape (n, 2) [m/s].
@@ -71,6 +78,7 @@ def steer(
         norm = np.sqrt(vx * vx + vy * vy)
         velocity[i, 0] = pace * vx / norm
         velocity[i, 1] = pace * vy / norm
+        heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
     return velocity
 
 
@@ -120,20 +128,6 @@ def follow_up(
             stalled[i] += period
             due[i] = stalled[i] >= STUCK
     return np.flatnonzero(due), moved
-
-
-@njit(cache=True)
-def face_ahead(heading: Array, velocity: Array, pace: Array) -> None:
-    """Walkers face where they go.
-
-    Args:
-        heading: Shape (n,) [rad]; brought up to date in place.
-        velocity: Shape (n, 2) [m/s].
-        pace: Shape (n,) [m/s]; 0: stands.
-    """
-    for i in range(len(pace)):
-        if pace[i] > 0.0:
-            heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
 
 
 @njit(cache=True)

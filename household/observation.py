@@ -160,10 +160,6 @@ class Features:
             "robot": (scenario.slots.robots or len(scenario.robots)) - 1,
         }
         self._fields = fields(len(scenario.behaviors))
-        # One record for each robot: Numpy finds the place of every field in it.
-        self._record = np.dtype(
-            [(f.name, np.float32, (slots[f.slot], f.size)) for f in self._fields]
-        )
         lengths = [slots[f.slot] * f.size for f in self._fields]
         ends = np.cumsum(lengths).tolist()
         self.layout = {
@@ -173,15 +169,24 @@ class Features:
         low = np.repeat([f.low for f in self._fields], lengths)
         high = np.repeat([f.high for f in self._fields], lengths)
         self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
+        # The place of every field in all rows at once, without the padding.
+        n_robots = len(scenario.robots)
+        here = {"self": 1, "person": len(scenario.people), "robot": n_robots - 1}
+        self._rows = np.zeros((n_robots, sum(lengths)), dtype=np.float32)
+        places = [
+            self._rows[:, self.layout[f.name]].reshape(n_robots, slots[f.slot], f.size)
+            for f in self._fields
+        ]
+        self._places = [
+            place[:, : here[f.slot]]
+            for f, place in zip(self._fields, places, strict=True)
+        ]
 
     def encode(self, view: View) -> NDArray[np.float32]:
         """Every robot's observation, a new array of shape (n_robots, length)."""
-        n_robots, n_people = len(view.behavior), len(view.activity)
-        here = {"self": 1, "person": n_people, "robot": n_robots - 1}
-        records = np.zeros(n_robots, self._record)
-        for field in self._fields:
-            records[field.name][:, : here[field.slot]] = field.values(view)
-        return records.view(np.float32).reshape(n_robots, -1)
+        for field, place in zip(self._fields, self._places, strict=True):
+            place[...] = field.values(view)
+        return self._rows.copy()
 
 
 class Situations:

@@ -160,8 +160,8 @@ class Routes:
     ) -> list[Point]:
         """The points at which the shortest way between two cells must turn."""
         height = self._shape[1]
-        way = cells_between(self._towards(last), first[0] * height + first[1], height)
-        points = np.vstack([way, self._in_cells(end)])
+        begin, goal = first[0] * height + first[1], self._in_cells(end)
+        points = cells_between(self._towards(last), begin, height, goal)
         turns = points[turning_points(self.free, points)[:-1]]
         return [(x, y) for x, y in (self._origin + turns * CELL).tolist()] + [end]
 

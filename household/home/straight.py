@@ -65,14 +65,15 @@ def onward_to(free: NDArray[np.bool_], goal: int) -> NDArray[np.int32]:
 
 @njit(cache=True)
 def cells_between(
-    onward: NDArray[np.int32], first: int, height: int
+    onward: NDArray[np.int32], first: int, height: int, end: tuple[float, float]
 ) -> NDArray[np.float64]:
-    """Middles of the cells on a way, both ends included.
+    """Middles of the cells on a way, and the point where it ends.
 
     Args:
         onward: From `onward_to`.
         first: Index of the cell where the way begins.
         height: Of the grid, in cells.
+        end: In the last of the cells, in cells from the grid's corner.
 
     Returns:
         Shape (n, 2), in cells from the grid's corner.
@@ -80,7 +81,8 @@ def cells_between(
     count, here = 1, onward[first]
     while here != NOWHERE:
         count, here = count + 1, onward[here]
-    points, here = np.empty((count, 2)), np.int32(first)
+    points, here = np.empty((count + 1, 2)), np.int32(first)
+    points[count, 0], points[count, 1] = end
     for k in range(count):
         points[k, 0], points[k, 1] = here // height + 0.5, here % height + 0.5
         here = onward[here]

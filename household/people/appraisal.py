@@ -7,11 +7,13 @@ enough: its preference times how strongly it perceived the bout.
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from household.people.feedback import Cause
 
 Array = NDArray[np.float64]
+
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""
@@ -40,7 +42,8 @@ class Judgement:
     cause: Cause
 
 
-def heard_strength(level: Array) -> Array:
+@njit(cache=True)
+def heard_strength(level: Array | float) -> Array:
     """How strongly sounds are heard, in [0, 1].
 
     Args:
@@ -49,13 +52,50 @@ def heard_strength(level: Array) -> Array:
     return np.minimum(np.maximum((level - AUDIBLE) / (FULL - AUDIBLE), 0.0), 1.0)
 
 
-def seen_strength(attention: Array) -> Array:
+@njit(cache=True)
+def seen_strength(attention: Array | float) -> Array:
     """How strongly things are seen, in [0, 1].
 
     Args:
         attention: Share of the attention that they get, any shape.
     """
     return np.minimum(np.maximum(attention / SEEN_FULLY, 0.0), 1.0)
+
+
+@njit(cache=True)
+def appraisals(
+    preferences: Array,
+    activity: NDArray[np.int_],
+    doing: NDArray[np.intp],
+    attends: NDArray[np.bool_],
+    attention: Array,
+    level: Array,
+    hears_from: Array,
+) -> Array:
+    """What everybody thinks of what each robot does: preference x how well perceived.
+
+    Args:
+        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        activity: What each person does, shape (n_people,).
+        doing: Index of each robot's behavior, -1 for none, shape (n_robots,).
+        attends: Who attends to which robot, shape (n_people, n_robots).
+        attention: How much, shape (n_people, n_robots).
+        level: How loud each person hears each robot, (n_people, n_robots) [dB].
+        hears_from: Level from which each person hears at all, (n_people,) [dB].
+
+    Returns:
+        Shape (n_people, n_robots), in [-1, 1]; 0 for what is not perceived.
+    """
+    value = np.zeros(attention.shape)
+    for i in range(len(activity)):
+        for r in range(len(doing)):
+            if doing[r] >= 0:
+                loud = level[i, r] if level[i, r] >= hears_from[i] else 0.0
+                seen, heard = seen_strength(attention[i, r]), heard_strength(loud)
+                looks = int(attends[i, r])
+                liked = preferences[i, activity[i], looks, doing[r]]
+                value[i, r] = max(seen, heard) * liked
+    return value
 
 
 def moved_mood(mood: float, appraisal: float, change: float) -> float:

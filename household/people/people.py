@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from household.activity import Activity
 from household.crowd import Crowd
-from household.people.appraisal import Judgement, heard_strength, seen_strength
+from household.people.appraisal import Judgement, appraisals
 from household.people.mind import OWN_ACTIVITY, Mind, Percept, Wish
 from household.people.norms import norm_table
 from household.people.person import Person
@@ -127,18 +127,18 @@ class People:
         n = len(self.everyone)
         found: list[list[Judgement]] = [[] for _ in range(n)]
         attends = senses.attends[:n, n:]
-        strength = np.maximum(
-            seen_strength(senses.attention[:n, n:]), heard_strength(self._heard(senses))
+        value = appraisals(
+            self._preferences,
+            self.activity,
+            robots.behaviors,
+            attends,
+            senses.attention[:n, n:],
+            senses.level[:n, n:],
+            np.array([person.hears_from for person in self.everyone]),
         )
-        doing = robots.behaviors
-        liked = self._preferences[
-            self._rows, self.activity[:, None], attends.astype(np.intp), doing
-        ]
-        value = strength * liked
         self.pleasing = value > 0.0
         begun = np.array([bout.decision for bout in robots.bouts])
-        new = (value != 0.0) & (self._judged != begun) & (doing >= 0)
-        for i, r in np.argwhere(new).tolist() if new.any() else ():
+        for i, r in np.argwhere((value != 0.0) & (self._judged != begun)).tolist():
             person = self.everyone[i]
             self._judged[i, r] = begun[r]
             judgement = Judgement(
@@ -150,13 +150,6 @@ class People:
             person.live_through(judgement)
             found[i].append(judgement)
         return found
-
-    def _heard(self, senses: Senses) -> Array:
-        """Level of each robot at each ear [dB]; sleepers hear what wakes them."""
-        n = len(self.everyone)
-        deaf_below = np.array([p.hears_from for p in self.everyone])[:, None]
-        level = senses.level[:n, n:]
-        return np.where(level >= deaf_below, level, 0.0)
 
     def decide(
         self,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from household.activity import Activity
 from household.home.floorplan import FloorPlan, Region
 from household.home.routes import routes_of
+from household.perception.kernel import inside
 from household.records import Point
 
 EDGE = 0.1
@@ -109,9 +110,7 @@ class Places:
         Returns:
             Shape (n,); regions do not overlap.
         """
-        gap = position[:, None, :] - self._circles[:, :2]
-        inside = (gap**2).sum(axis=2) <= self._circles[:, 2] ** 2
-        return np.where(inside.any(axis=1), inside.argmax(axis=1), -1)
+        return inside(position, self._circles)
 
     def roles(self, place: NDArray[np.intp]) -> NDArray[np.int_]:
         """The role that is played in each place, as `Activity` values."""

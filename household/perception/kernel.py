@@ -194,14 +194,21 @@ def attend(
 
 
 @njit(cache=True)
-def hear(source: Array, loss: Array) -> Array:
-    """How loud everybody hears everybody.
+def inside(position: Array, circles: Array) -> NDArray[np.intp]:
+    """The first circle that each point is in.
 
     Args:
-        source: Sound level of each at 1 m, shape (n,) [dB].
-        loss: From `attenuation`, shape (n, n) [dB].
+        position: Shape (n, 2) [m].
+        circles: Shape (m, 3), rows of x, y, radius [m].
 
     Returns:
-        ``level[i, j]``: how loud i hears j, at least 0, shape (n, n) [dB].
+        Indices, -1 outside all, shape (n,).
     """
-    return np.maximum(source - loss, 0.0)
+    found = np.full(len(position), -1, np.intp)
+    for i in range(len(position)):
+        for k in range(len(circles)):
+            dx, dy = position[i, 0] - circles[k, 0], position[i, 1] - circles[k, 1]
+            if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
+                found[i] = k
+                break
+    return found

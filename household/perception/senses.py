@@ -80,7 +80,7 @@ class Senses:
             self._focus,
             self._model.distance,
         )
-        self.level = kernel.hear(source, self.loss)
+        self.level = np.maximum(source - self.loss, 0.0)
         self.attends, self.attention_began = kernel.attend(
             self.attention,
             self.attends,

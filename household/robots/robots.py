@@ -78,8 +78,9 @@ class Robots:
         felt = np.zeros((len(self.names), 2))
         for robot, touches in enumerate(self.feedback):
             for touch in touches:
-                felt[robot, 0 if touch.value > 0 else 1] += abs(touch.value)
-        return np.minimum(felt, 1.0)
+                kind = 0 if touch.kind == "caress" else 1
+                felt[robot, kind] = min(felt[robot, kind] + touch.strength, 1.0)
+        return felt
 
     def sources(self, since: float) -> list[float]:
         """How loud each robot is at 1 m [dB]; what was over before is silent.
