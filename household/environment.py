@@ -264,10 +264,11 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
                 )
 
     def _move_robots(self) -> None:
-        """Robots move as their behaviors have it."""
+        """Robots move as their behaviors have it; who is done stands still."""
         n_people = len(self.people.everyone)
         for robot, bout in enumerate(self.robots.bouts):
-            if bout.behavior < 0:
+            if self.robots.is_over(robot, self.time):
+                self.crowd.halt(n_people + robot)
                 continue
             mover = Mover(
                 body=n_people + robot,
