@@ -107,6 +107,10 @@ def test_the_max_cycles_test_passes(shipped_scenario, encoding):
     max_cycles_test(Module)
 
 
+def test_the_module_itself_passes_the_max_cycles_test():
+    max_cycles_test(household_v0)
+
+
 def test_what_clients_read_of_an_environment_is_there_before_the_first_reset(make):
     env = make()
     n = len(env.possible_agents)
@@ -270,6 +274,19 @@ def test_a_pickled_environment_is_made_anew_with_the_same_arguments(make, same):
     assert copy.agents == []
     assert copy.max_cycles == CYCLES
     assert copy.scenario == env.scenario
+    assert copy.observation_spaces == env.observation_spaces
+    assert same(copy.reset(seed=4), env.reset(seed=4))
+
+
+def test_a_pickled_environment_keeps_a_scenario_of_its_own_and_all_overrides(
+    household_of, same
+):
+    env = household_v0.parallel_env(
+        household_of(), "situation", max_cycles=7, slots={"people": 3}
+    )
+    copy = pickle.loads(pickle.dumps(env))
+    assert copy.scenario == env.scenario
+    assert copy.max_cycles == 7
     assert copy.observation_spaces == env.observation_spaces
     assert same(copy.reset(seed=4), env.reset(seed=4))
 
