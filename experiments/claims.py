@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
 import polars as pl
 
+from experiments.measures import StudyMeasure
 from experiments.statistics import Estimate, FloatArray, proportion
 
 RULES: Mapping[str, Callable[[Estimate, float], bool]] = {
@@ -39,8 +41,9 @@ class Claim:
     condition: str
     """The condition, or the contrast of conditions, that it is checked on."""
 
-    measure: Callable[[pl.DataFrame], FloatArray]
-    """Takes the study's table, returns one number per seed."""
+    measure: StudyMeasure
+    """Takes the study's table, returns one number per seed; NaN where a seed has
+    nothing to be measured, which leaves it out."""
 
     rule: str
     """A key of `RULES`."""
@@ -54,15 +57,29 @@ class Claim:
     unit: str = "share of seeds"
     """Of the value and the threshold."""
 
+    compared: Mapping[str, StudyMeasure] = field(default_factory=dict)
+    """The same measured on other conditions, by their names: without a verdict."""
+
     def check(self, frame: pl.DataFrame) -> Finding:
         """Returns what came out.
 
         Args:
             frame: The table of the study that the claim belongs to.
         """
-        estimate = self.estimate(self.measure(frame))
-        holds = bool(RULES[self.rule](estimate, self.threshold))
-        return Finding(claim=self, estimate=estimate, holds=holds)
+        estimate = self._estimate(self.measure, frame)
+        return Finding(
+            claim=self,
+            estimate=estimate,
+            holds=bool(RULES[self.rule](estimate, self.threshold)),
+            compared={
+                name: self._estimate(measure, frame)
+                for name, measure in self.compared.items()
+            },
+        )
+
+    def _estimate(self, measure: StudyMeasure, frame: pl.DataFrame) -> Estimate:
+        values = measure(frame)
+        return self.estimate(values[~np.isnan(values)])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,6 +94,9 @@ class Finding:
 
     holds: bool
     """Whether the claim's rule is met."""
+
+    compared: Mapping[str, Estimate] = field(default_factory=dict)
+    """What was measured on other conditions, by their names."""
 
     def plain(self) -> dict[str, Any]:
         """Returns the finding as it is written to `claims.json`."""
@@ -95,6 +115,10 @@ class Finding:
             "unit": claim.unit,
             "n": estimate.n,
             "interval": estimate.method,
+            "compared": {
+                name: {"value": other.value, "low": other.low, "high": other.high}
+                for name, other in self.compared.items()
+            },
         }
 
 

@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+import numpy as np
 import polars as pl
 
-from experiments import measures
+from experiments import measures, social
 from experiments.measures import Measure
-from experiments.statistics import Estimate, mean, proportion
+from experiments.scenes import Scene
+from experiments.statistics import Estimate, FloatArray, mean, proportion
+
+BEYOND = "Beyond the paper"
+
+METHODS = (
+    "Cumulative reward",
+    "Frequency of rewards",
+    "Q-table",
+    "Human opinion",
+    BEYOND,
+)
+"""The paper's four methods in its order, then what only a simulator can know."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,50 +45,97 @@ class Evaluation:
     """Whether to show it in percent."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Method:
+    """One way to tell how well a condition did."""
+
+    name: str
+    """One of the paper's four methods, or `Beyond the paper`."""
+
+    text: str
+    """What exactly, with its unit."""
+
+    measure: Measure
+    """A function of one trial's table; NaN leaves the trial out."""
+
+    is_share: bool = False
+    """Whether to show it in percent."""
+
+    estimate: Callable[[FloatArray], Estimate] = mean
+    """Takes one number per seed."""
+
+
 def evaluate(
-    frame: pl.DataFrame, conditions: tuple[str, ...], roles: tuple[str, ...]
+    frame: pl.DataFrame,
+    conditions: tuple[str, ...],
+    scenes: tuple[Scene, ...],
+    further: tuple[Method, ...] = (),
 ) -> tuple[Evaluation, ...]:
     """Returns every evaluation of every condition, method by method.
 
     Args:
         frame: The table of a study.
         conditions: In the order of presentation.
-        roles: The roles whose situations are to be learned.
+        scenes: The situations to be learned.
+        further: What an experiment measures beside what all have.
     """
-    names = measures.behaviors(frame)
+    methods = [*_methods(scenes, measures.behaviors(frame)), *further]
+    methods.sort(key=lambda method: METHODS.index(method.name))
     return tuple(
-        Evaluation(
-            method=method,
-            measure=text,
-            condition=condition,
-            estimate=(proportion if is_share else mean)(
-                measures.per_seed(frame, condition, measure)
-            ),
-            is_share=is_share,
-        )
-        for method, text, measure, is_share in _measures(roles, names)
+        _evaluated(method, frame, condition)
+        for method in methods
         for condition in conditions
     )
 
 
-def _measures(
-    roles: tuple[str, ...], behaviors: tuple[str, ...]
-) -> Iterator[tuple[str, str, Measure, bool]]:
-    yield "Cumulative reward", "at the end", measures.final_reward, False
+def _evaluated(method: Method, frame: pl.DataFrame, condition: str) -> Evaluation:
+    values = measures.per_seed(frame, condition, method.measure)
+    known = values[~np.isnan(values)]
+    return Evaluation(
+        method=method.name,
+        measure=method.text,
+        condition=condition,
+        estimate=method.estimate(known),
+        is_share=method.is_share,
+    )
+
+
+def _methods(scenes: tuple[Scene, ...], behaviors: tuple[str, ...]) -> Iterator[Method]:
+    yield Method(
+        name="Cumulative reward", text="at the end", measure=measures.final_reward
+    )
     for sign, what in ((1, "caresses"), (-1, "taps")):
         for quarter, when in ((0, "first"), (3, "last")):
-            yield (
-                "Frequency of rewards",
-                f"{what} per minute, {when} quarter",
-                _frequency(sign, quarter),
-                False,
+            yield Method(
+                name="Frequency of rewards",
+                text=f"{what} per minute, {when} quarter",
+                measure=_frequency(sign, quarter),
             )
-    for role in roles:
-        yield "Q-table", f"{role}: converged", _converged(role), True
-        for name in behaviors:
-            text = f"{role}: final Q of {name.replace('_', ' ')}"
-            yield "Q-table", text, _final_q(role, name), False
-    yield "Human opinion", "1 (autistic) to 10 (sociable), at the end", _opinion, False
+    for scene in scenes:
+        yield Method(
+            name="Q-table",
+            text=f"{scene.name}: converged",
+            measure=_converged(scene),
+            is_share=True,
+            estimate=proportion,
+        )
+        for behavior in behaviors:
+            yield Method(
+                name="Q-table",
+                text=f"{scene.name}: final Q of {behavior.replace('_', ' ')}",
+                measure=_final_q(scene, behavior),
+            )
+        yield Method(
+            name=BEYOND,
+            text=f"{scene.name}: right choices in the last quarter",
+            measure=_right_share(scene),
+            is_share=True,
+        )
+    yield Method(
+        name="Human opinion",
+        text="1 (autistic) to 10 (sociable), at the end",
+        measure=_opinion,
+    )
 
 
 def _frequency(sign: int, quarter: int) -> Measure:
@@ -91,14 +151,17 @@ def _frequency(sign: int, quarter: int) -> Measure:
     return measure
 
 
-def _converged(role: str) -> Measure:
-    return lambda trial: measures.converged(trial, measures.situation_with(trial, role))
+def _converged(scene: Scene) -> Measure:
+    return lambda trial: measures.converged(trial, scene.find(trial))
 
 
-def _final_q(role: str, behavior: str) -> Measure:
+def _right_share(scene: Scene) -> Measure:
+    return lambda trial: social.right_share(trial, scene.find(trial))
+
+
+def _final_q(scene: Scene, behavior: str) -> Measure:
     def measure(trial: pl.DataFrame) -> float:
-        values = measures.final_q(trial, measures.situation_with(trial, role))
-        return values.get(behavior, 0.0)
+        return measures.final_q(trial, scene.find(trial)).get(behavior, 0.0)
 
     return measure
 

@@ -6,7 +6,8 @@ condition; columns as in `experiments.rows`).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from math import ceil
 
 import numpy as np
@@ -41,20 +42,30 @@ def per_seed(frame: pl.DataFrame, condition: str, measure: Measure) -> FloatArra
     return np.array([float(measure(trial)) for trial in trials])
 
 
-def situation_with(frame: pl.DataFrame, role: str) -> str | None:
-    """Returns the most frequent situation in which a role is played, or None.
+def of(condition: str, measure: Measure) -> StudyMeasure:
+    """Returns a measure of a study: that of every trial of a condition."""
+    return partial(per_seed, condition=condition, measure=measure)
+
+
+def of_each(conditions: Sequence[str], measure: Measure) -> dict[str, StudyMeasure]:
+    """Returns the measure of a study for each of some conditions, by name."""
+    return {condition: of(condition, measure) for condition in conditions}
+
+
+def difference(more: str, less: str, measure: Measure) -> StudyMeasure:
+    """Returns a measure of a study: by how much two conditions differ, seed by seed.
 
     Args:
-        frame: The table of a trial or of a study.
-        role: The role, e.g. "playing".
+        more: The condition that is taken from.
+        less: The condition that is taken away.
+        measure: A function of one trial's table.
     """
-    found = (
-        frame.filter(pl.col("chosen"))
-        .filter(pl.col("situation").str.contains(rf"\b{role}\b"))
-        .get_column("situation")
-        .value_counts(sort=True)
-    )
-    return None if found.is_empty() else str(found["situation"][0])
+
+    def measured(frame: pl.DataFrame) -> FloatArray:
+        one = per_seed(frame, more, measure)
+        return one - per_seed(frame, less, measure)
+
+    return measured
 
 
 def decisions(trial: pl.DataFrame, situation: str | None) -> pl.DataFrame:

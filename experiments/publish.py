@@ -137,7 +137,10 @@ def _analyze(experiment: Experiment, out: Path) -> Reproduced:
         document=results.read_study(),
         findings=experiment.check(frame),
         evaluations=evaluate(
-            frame, tuple(c.name for c in experiment.conditions), experiment.roles
+            frame,
+            tuple(c.name for c in experiment.conditions),
+            experiment.scenes,
+            experiment.further,
         ),
         drawn=tuple(_draw(experiment, frame, out / "figures")),
         typical_seed=typical,

@@ -8,6 +8,7 @@ from experiments.figures.rows import (
     Row,
     TouchFrequency,
 )
+from experiments.figures.sequences import SituationSequence, TouchesByPhase
 
 __all__ = [
     "BehaviorSequence",
@@ -16,7 +17,9 @@ __all__ = [
     "CumulativeReward",
     "QValues",
     "Row",
+    "SituationSequence",
     "TouchFrequency",
+    "TouchesByPhase",
     "inline",
     "save",
 ]

@@ -16,6 +16,7 @@ import polars as pl
 
 from experiments import measures
 from experiments.figures.canvas import DASHES, INK, PALETTE
+from experiments.scenes import Scene
 from experiments.statistics import FloatArray, mean_band
 
 if TYPE_CHECKING:
@@ -66,30 +67,32 @@ class BehaviorSequence:
 
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws the share of the time that each behavior takes."""
-        end = _end(trials)
+        end = end_of(trials)
         for lane, name in enumerate(measures.behaviors(trials)):
-            shares = _per_trial(trials, partial(_time_share, behavior=name, end=end))
-            _band(axes, _middles(end), shares, lane, name)
+            shares = per_trial(
+                trials, partial(time_share, column="behavior", value=name, end=end)
+            )
+            band(axes, middles(end), shares, lane, name)
         axes.set_ylim(0, 1)
         axes.set_ylabel("share of\nthe time")
 
 
 @dataclass(frozen=True, kw_only=True)
 class QValues:
-    """The Q-values of the situation in which a role is played."""
+    """The Q-values of a situation."""
 
-    role: str
+    scene: Scene
     height: float = 2.0
 
     @property
     def label(self) -> str:
         """Label of the y axis."""
-        return f"Q-value, {self.role}"
+        return f"Q in {self.scene.name}"
 
     def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
         """Draws each behavior's value as it changed."""
-        situation = measures.situation_with(trial, self.role)
-        end = _end(trial)
+        situation = self.scene.find(trial)
+        end = end_of(trial)
         for lane, name in enumerate(measures.behaviors(trial)):
             times, values = measures.q_curve(trial, situation, name)
             axes.step(
@@ -104,15 +107,15 @@ class QValues:
 
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws each behavior's mean value."""
-        situation = measures.situation_with(trials, self.role)
-        grid = np.linspace(0, _end(trials), POINTS)
+        situation = self.scene.find(trials)
+        grid = np.linspace(0, end_of(trials), POINTS)
 
         def sampled(trial: pl.DataFrame, name: str) -> FloatArray:
             return _sampled(*measures.q_curve(trial, situation, name), grid)
 
         for lane, name in enumerate(measures.behaviors(trials)):
-            curves = _per_trial(trials, partial(sampled, name=name))
-            _band(axes, grid, curves, lane, name)
+            curves = per_trial(trials, partial(sampled, name=name))
+            band(axes, grid, curves, lane, name)
         _finish(axes)
 
 
@@ -136,9 +139,9 @@ class CumulativeReward:
 
     def draw_as(self, axes: Axes, trials: pl.DataFrame, lane: int | None) -> None:
         """Draws the mean sum as one of several conditions."""
-        grid = np.linspace(0, _end(trials), POINTS)
-        curves = _per_trial(trials, lambda t: _sampled(*_cumulative(t), grid))
-        _band(axes, grid, curves, lane, _condition(trials))
+        grid = np.linspace(0, end_of(trials), POINTS)
+        curves = per_trial(trials, lambda t: _sampled(*_cumulative(t), grid))
+        band(axes, grid, curves, lane, _condition(trials))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -155,9 +158,9 @@ class TouchFrequency:
 
     def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
         """Draws one trial's counts."""
-        end = _end(trial)
+        end = end_of(trial)
         axes.step(
-            _middles(end) / MINUTE, self._counts(trial, end), where="mid", color=INK
+            middles(end) / MINUTE, self._counts(trial, end), where="mid", color=INK
         )
         axes.set_ylim(bottom=0)
 
@@ -168,9 +171,9 @@ class TouchFrequency:
 
     def draw_as(self, axes: Axes, trials: pl.DataFrame, lane: int | None) -> None:
         """Draws the mean counts as one of several conditions."""
-        end = _end(trials)
-        counts = _per_trial(trials, lambda t: self._counts(t, end))
-        _band(axes, _middles(end), counts, lane, _condition(trials))
+        end = end_of(trials)
+        counts = per_trial(trials, lambda t: self._counts(t, end))
+        band(axes, middles(end), counts, lane, _condition(trials))
 
     def _counts(self, trial: pl.DataFrame, end: float) -> FloatArray:
         felt = measures.touches(trial)
@@ -179,7 +182,7 @@ class TouchFrequency:
         return found / (end / BINS / MINUTE)
 
 
-def _per_trial(
+def per_trial(
     trials: pl.DataFrame, curve: Callable[[pl.DataFrame], FloatArray]
 ) -> FloatArray:
     """Returns one curve per seed, shape (n_seeds, n_points)."""
@@ -194,10 +197,20 @@ def _sampled(times: FloatArray, values: FloatArray, grid: FloatArray) -> FloatAr
     return padded[np.where(index < 0, len(values), index)]
 
 
-def _time_share(trial: pl.DataFrame, behavior: str, end: float) -> FloatArray:
-    """Returns the share of each bin of time that a behavior takes, shape (BINS,)."""
+def time_share(trial: pl.DataFrame, column: str, value: str, end: float) -> FloatArray:
+    """Returns the share of each bin of time in which a column has a value.
+
+    Args:
+        trial: The table of a trial.
+        column: `behavior` or `situation`.
+        value: What it is to be.
+        end: End of the last bin. [s]
+
+    Returns:
+        Shape (BINS,).
+    """
     edges = np.linspace(0, end, BINS + 1)
-    done = trial.filter(pl.col("behavior") == behavior)
+    done = trial.filter(pl.col(column) == value)
     begun, ended = done["time"].to_numpy(), done["next_time"].to_numpy()
     before = np.clip(edges[:, None], begun, ended) - begun
     shares: FloatArray = np.diff(before.sum(axis=1)) / np.diff(edges)
@@ -210,11 +223,13 @@ def _cumulative(trial: pl.DataFrame) -> tuple[FloatArray, FloatArray]:
     return times, np.insert(ordered["reward"].to_numpy().cumsum(), 0, 0.0)
 
 
-def _middles(end: float) -> FloatArray:
+def middles(end: float) -> FloatArray:
+    """Returns the middles of the bins of time that `time_share` tells of."""
     return (np.arange(BINS) + 0.5) * end / BINS
 
 
-def _end(table: pl.DataFrame) -> float:
+def end_of(table: pl.DataFrame) -> float:
+    """Returns when the last entry of a table ended, in seconds."""
     return float(table["next_time"].to_numpy().max())
 
 
@@ -226,7 +241,7 @@ def _spoken(names: tuple[str, ...] | list[str]) -> list[str]:
     return [name.replace("_", " ") for name in names]
 
 
-def _band(
+def band(
     axes: Axes, times: FloatArray, curves: FloatArray, lane: int | None, name: str
 ) -> None:
     """Draws the mean of some curves with its interval."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from experiments.errors import unknown
-from experiments.paper import e1
+from experiments.paper import e1, e2, e3, e4, e5
 from experiments.paper.experiment import Experiment, PaperFigure, comparison
 
 EXPERIMENTS: Mapping[int, Experiment] = {
-    module.EXPERIMENT.number: module.EXPERIMENT for module in (e1,)
+    module.EXPERIMENT.number: module.EXPERIMENT for module in (e1, e2, e3, e4, e5)
 }
 """Every experiment that can be reproduced."""
 

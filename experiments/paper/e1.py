@@ -2,38 +2,33 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import polars as pl
 
 from experiments import measures
 from experiments.claims import Claim
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
+from experiments.scenes import Scene
 from experiments.trial import Condition
 
-ROLE = "playing"
+PLAY = Scene(name="PLAY", role="playing")
 RIGHT = "play"
 
 CONDITIONS = ("asynchronous", "synchronous")
 
 
 def _converged(trial: pl.DataFrame) -> float:
-    return measures.converged(trial, measures.situation_with(trial, ROLE))
+    return measures.converged(trial, PLAY.find(trial))
 
 
 def _alternates(trial: pl.DataFrame) -> float:
-    return measures.keeps_alternating(trial, measures.situation_with(trial, ROLE))
+    return measures.keeps_alternating(trial, PLAY.find(trial))
 
 
 def _forgets(trial: pl.DataFrame) -> float:
-    situation = measures.situation_with(trial, ROLE)
+    situation = PLAY.find(trial)
     _, values = measures.q_curve(trial, situation, RIGHT)
     return len(values) > 0 and measures.fall_from_peak(values) >= 0.3
-
-
-def _in(condition: str, measure: measures.Measure) -> measures.StudyMeasure:
-    return partial(measures.per_seed, condition=condition, measure=measure)
 
 
 def _claims(condition: str) -> tuple[Claim, ...]:
@@ -47,7 +42,7 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "Holds at 1/3 or less."
             ),
             condition=condition,
-            measure=_in(condition, _converged),
+            measure=measures.of(condition, _converged),
             rule="at most",
             threshold=1 / 3,
         ),
@@ -60,7 +55,7 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "2/3 or more, the complement of 1a."
             ),
             condition=condition,
-            measure=_in(condition, _alternates),
+            measure=measures.of(condition, _alternates),
             rule="at least",
             threshold=2 / 3,
         ),
@@ -72,7 +67,7 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "its peak. Holds at 80 % or more."
             ),
             condition=condition,
-            measure=_in(condition, _forgets),
+            measure=measures.of(condition, _forgets),
             rule="at least",
             threshold=0.8,
         ),
@@ -87,7 +82,7 @@ def _figure(name: str, condition: str) -> PaperFigure:
             "the Q-values of both behaviors in PLAY, and the sum of all touches."
         ),
         condition=condition,
-        rows=(BehaviorSequence(), QValues(role=ROLE), CumulativeReward()),
+        rows=(BehaviorSequence(), QValues(scene=PLAY), CumulativeReward()),
     )
 
 
@@ -115,5 +110,5 @@ EXPERIMENT = Experiment(
         _figure("figure_3", "asynchronous"),
         _figure("figure_3_synchronous", "synchronous"),
     ),
-    roles=(ROLE,),
+    scenes=(PLAY,),
 )

@@ -10,9 +10,11 @@ import polars as pl
 
 from experiments import measures
 from experiments.claims import Claim, Finding
+from experiments.evaluation import Method
 from experiments.figures import Cell, Column, CumulativeReward, Row, TouchFrequency
 from experiments.figures.rows import legend_above
 from experiments.runner import run_trial
+from experiments.scenes import Scene
 from experiments.trial import Condition, Study
 
 if TYPE_CHECKING:
@@ -97,8 +99,11 @@ class Experiment:
     """Counterparts of the paper's figures; the first one's condition is the
     experiment's own, the others are its controls."""
 
-    roles: tuple[str, ...]
-    """The roles whose situations are to be learned, for the analysis of the Q-table."""
+    scenes: tuple[Scene, ...] = ()
+    """The situations to be learned, for the analysis of the Q-table."""
+
+    further: tuple[Method, ...] = ()
+    """What else tells how well a condition did, beside what every experiment has."""
 
     @property
     def name(self) -> str:

@@ -6,7 +6,7 @@ import polars as pl
 import pytest
 
 from experiments import figures
-from experiments.figures.rows import _sampled, _time_share
+from experiments.figures.rows import _sampled, time_share
 from experiments.paper import EXPERIMENTS, comparison
 from experiments.trial import Trial
 
@@ -27,7 +27,7 @@ def test_figure_3_has_the_papers_rows_for_one_seed_and_for_all(study):
     columns = EXPERIMENTS[1].figures[0].columns(study)
     assert [cell.label for cell in columns[0].cells] == [
         "behavior",
-        "Q-value, playing",
+        "Q in PLAY",
         "cumulative\nreward",
     ]
     assert columns[0].title.startswith("typical seed")
@@ -87,5 +87,11 @@ def test_the_share_of_time_is_counted_within_each_bin(table):
     # play from 0 to 2 s, bark from 2 to 4 s, play from 4 to 6 s; 20 bins to 40 s
     play = ("ann playing", "play", 1.0)
     frame = table([play, ("ann playing", "bark", 1.0), play])
-    assert _time_share(frame, "play", 40.0).tolist() == [1.0, 0.0, 1.0] + [0.0] * 17
-    assert _time_share(frame, "play", 80.0)[:2].tolist() == [0.5, 0.5]
+    assert time_share(frame, "behavior", "play", 40.0).tolist() == [
+        *(1.0, 0.0, 1.0),
+        *[0.0] * 17,
+    ]
+    assert time_share(frame, "behavior", "play", 80.0)[:2].tolist() == [0.5, 0.5]
+    assert time_share(frame, "situation", "ann playing", 40.0)[:4].tolist() == [
+        *(1.0, 1.0, 1.0, 0.0)
+    ]

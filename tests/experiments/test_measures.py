@@ -3,6 +3,7 @@ import polars as pl
 import pytest
 
 from experiments import measures
+from experiments.scenes import Scene
 
 PLAY = "ann playing"
 
@@ -103,14 +104,18 @@ def test_alternating_needs_each_behavior_in_a_tenth_of_the_last_choices(table):
     assert not measures.keeps_alternating(nine_to_one, None)
 
 
-def test_the_situation_of_a_role_is_the_most_frequent_one(table):
+def test_a_scene_is_the_most_frequent_situation_that_fits(table):
     frame = table(
         [("bob unknown", "play", 1.0)] * 5
         + [("bob playing", "play", 1.0)] * 3
         + [("bob playing, bob > robot_0", "play", 1.0)] * 2
     )
-    assert measures.situation_with(frame, "playing") == "bob playing"
-    assert measures.situation_with(frame, "play") is None
+    assert Scene(name="PLAY", role="playing").find(frame) == "bob playing"
+    assert Scene(name="PLAY", role="play").find(frame) is None
+    watched = Scene(name="S11", role="playing", attended=True)
+    assert watched.find(frame) == "bob playing, bob > robot_0"
+    ignored = Scene(name="S51", role="playing", attended=False)
+    assert ignored.find(frame) == "bob playing"
 
 
 def study(table, rewards):

@@ -169,12 +169,13 @@ def test_the_terminal_shows_the_claims_and_where_everything_lies(published):
 
 def test_evaluations_cover_all_methods_and_conditions(out):
     frame = Results(out / E1.name).read(E1.study((0, 1, 2, 3)))
-    found = evaluate(frame, ("asynchronous", "synchronous"), E1.roles)
+    found = evaluate(frame, ("asynchronous", "synchronous"), E1.scenes)
     assert {one.method for one in found} == {
         "Cumulative reward",
         "Frequency of rewards",
         "Q-table",
         "Human opinion",
+        "Beyond the paper",
     }
     reward = next(one for one in found if one.method == "Cumulative reward")
     one = frame.filter(pl.col("condition") == "asynchronous")

@@ -1,0 +1,132 @@
+"""Rows of figures 5 to 7: which situation it was when, and touches phase by phase."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+import polars as pl
+
+from experiments import measures
+from experiments.figures.canvas import INK, PALETTE
+from experiments.figures.rows import (
+    MINUTE,
+    band,
+    end_of,
+    legend_above,
+    middles,
+    per_trial,
+    time_share,
+)
+from experiments.statistics import FloatArray, mean
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@dataclass(frozen=True, kw_only=True)
+class SituationSequence:
+    """Which situation it was when; over all seeds: the share of the time."""
+
+    label: str = "situation"
+    height: float = 1.7
+    most: int = 4
+    """How many situations are shown, the most frequent ones."""
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws a lane for each situation."""
+        names = self._names(trial)
+        for lane, name in enumerate(names):
+            held = trial.filter(pl.col("situation") == name)
+            begun = held["time"].to_numpy() / MINUTE
+            ended = held["next_time"].to_numpy() / MINUTE
+            spans = list(zip(begun, ended - begun, strict=True))
+            axes.broken_barh(spans, (lane - 0.4, 0.8), color=PALETTE[lane])
+        axes.set_yticks(range(len(names)), [_short(name) for name in names])
+        axes.set_ylim(-0.6, len(names) - 0.4)
+        axes.grid(visible=False)
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws the share of the time that each situation takes."""
+        end = end_of(trials)
+        for lane, name in enumerate(self._names(trials)):
+            share = partial(time_share, column="situation", value=name, end=end)
+            band(axes, middles(end), per_trial(trials, share), lane, _short(name))
+        axes.set_ylim(0, 1)
+        axes.set_ylabel("share of\nthe time")
+
+    def _names(self, table: pl.DataFrame) -> list[str]:
+        spent = (pl.col("next_time") - pl.col("time")).sum()
+        ranked = table.group_by("situation").agg(spent.alias("spent"))
+        return (
+            ranked.sort("spent", "situation", descending=[True, False])["situation"]
+            .head(self.most)
+            .to_list()
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class TouchesByPhase:
+    """How many caresses and taps each of two phases brought."""
+
+    boundary: float
+    """When the second phase begins. [s]"""
+
+    label: str = "touches\nin the phase"
+    height: float = 2.2
+
+    def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
+        """Draws one trial's counts."""
+        self._draw(axes, self._counts(trial)[None], end_of(trial))
+
+    def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
+        """Draws the mean counts with their intervals."""
+        self._draw(axes, per_trial(trials, self._counts), end_of(trials))
+
+    def _counts(self, trial: pl.DataFrame) -> FloatArray:
+        """Returns caresses of phase 1, of phase 2, taps of 1, of 2; shape (4,)."""
+        felt = measures.touches(trial)
+        late = felt["time"].to_numpy() >= self.boundary
+        caress = felt["value"].to_numpy() > 0
+        return np.array(
+            [
+                np.count_nonzero((caress == kind) & (late == phase))
+                for kind in (True, False)
+                for phase in (False, True)
+            ],
+            dtype=np.float64,
+        )
+
+    def _draw(self, axes: Axes, counts: FloatArray, end: float) -> None:
+        phases = np.array([self.boundary / 2, (self.boundary + end) / 2]) / MINUTE
+        width = self.boundary / MINUTE / 4
+        for kind, name in enumerate(("caresses", "taps")):
+            found = [mean(counts[:, 2 * kind + phase]) for phase in (0, 1)]
+            height = np.array([one.value for one in found])
+            x = phases + (kind - 0.5) * width
+            axes.bar(x, height, 0.9 * width, color=PALETTE[1 - kind], label=name)
+            if len(counts) > 1:
+                low = height - [one.low for one in found]
+                high = [one.high for one in found] - height
+                axes.errorbar(x, height, [low, high], fmt="none", ecolor=INK, capsize=3)
+        axes.axvline(self.boundary / MINUTE, color=INK, linewidth=0.8)
+        axes.margins(y=0.15)
+        for phase, place in enumerate(phases, start=1):
+            axes.annotate(
+                f"phase {phase}",
+                (place, 0.98),
+                xycoords=("data", "axes fraction"),
+                ha="center",
+                va="top",
+            )
+        axes.set_xlim(0, end / MINUTE)
+        legend_above(axes)
+
+
+def _short(situation: str) -> str:
+    """Returns a situation of one person in a word or two, with `*` for attending."""
+    role = re.sub(r"^\w+ ", "", situation.partition(", ")[0])
+    return f"{role}*" if ">" in situation else role

@@ -1,0 +1,230 @@
+"""Experiment 2: a learning rate that depends on social factors (5.2, figure 4)."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+import polars as pl
+
+from experiments import measures, social
+from experiments.claims import Claim
+from experiments.figures import BehaviorSequence, CumulativeReward, QValues
+from experiments.paper.experiment import Experiment, PaperFigure
+from experiments.scenes import Scene
+from experiments.statistics import FloatArray, mean
+from experiments.trial import Condition
+
+PLAY = Scene(name="PLAY", role="playing", attended=True)
+IGNORE = Scene(name="IGNORE", role="playing", attended=False)
+RIGHT = "play"
+
+SOCIAL, ASYNCHRONOUS, SKIP = "social", "asynchronous", "skip_silence"
+CONTROLS = (ASYNCHRONOUS, SKIP)
+
+
+def _converged(trial: pl.DataFrame) -> float:
+    return measures.converged(trial, PLAY.find(trial))
+
+
+def _settled(trial: pl.DataFrame) -> float:
+    return social.settled_after(trial, PLAY.find(trial))
+
+
+def _silent_loss(trial: pl.DataFrame) -> float:
+    return social.silent_loss(trial, PLAY.find(trial), RIGHT)
+
+
+def _ends_positive(trial: pl.DataFrame) -> float:
+    return measures.final_reward(trial) > 0
+
+
+def lowest_mean(frame: pl.DataFrame, condition: str) -> FloatArray:
+    """Returns each seed's cumulative reward when the mean of all is at its lowest.
+
+    Args:
+        frame: The study's table.
+        condition: Which condition.
+
+    Returns:
+        Shape (n_seeds,), at the second at which their mean is lowest.
+    """
+    grid = np.arange(0.0, float(frame["next_time"].to_numpy().max()) + 1.0)
+    trials = frame.filter(pl.col("condition") == condition)
+    sums = []
+    for trial in trials.sort("seed", maintain_order=True).partition_by("seed"):
+        felt = measures.touches(trial).sort("time")
+        total = np.insert(felt["value"].to_numpy().cumsum(), 0, 0.0)
+        at = np.searchsorted(felt["time"].to_numpy(), grid, side="right")
+        sums.append(total[at])
+    curves = np.array(sums)
+    lowest: FloatArray = curves[:, curves.mean(axis=0).argmin()]
+    return lowest
+
+
+CLAIMS = (
+    Claim(
+        id="2a",
+        text="With the social rate the robot learns what to do in PLAY.",
+        reading=(
+            "Share of the seeds that converge in PLAY (the actor plays and attends to "
+            "the robot): at least 90 % of the last quarter of the choices are right, "
+            "and Q(PLAY, play) ends on top. Holds at 90 % or more."
+        ),
+        condition=SOCIAL,
+        measure=measures.of(SOCIAL, _converged),
+        rule="at least",
+        threshold=0.9,
+        compared=measures.of_each(CONTROLS, _converged),
+    ),
+    Claim(
+        id="2b",
+        text="It learns earlier than with the asynchronous rate.",
+        reading=(
+            "Our reading: the number of decisions in PLAY after which at least 90 % of "
+            "all those that follow are right; all of them if there is no such moment. "
+            "Asynchronous minus social, seed by seed. Holds if the whole interval is "
+            "above 0."
+        ),
+        condition=f"{ASYNCHRONOUS} - {SOCIAL}",
+        measure=measures.difference(ASYNCHRONOUS, SOCIAL, _settled),
+        rule="above",
+        threshold=0.0,
+        estimate=mean,
+        unit="decisions",
+        compared={
+            f"{SKIP} - {SOCIAL}": measures.difference(SKIP, SOCIAL, _settled),
+        },
+    ),
+    *(
+        Claim(
+            id="2c",
+            text="The cumulative reward does not become negative.",
+            reading=(
+                "Two parts. At the end: share of the seeds whose final cumulative "
+                "reward is positive, holds at 80 % or more. Lowest: the mean of all "
+                "seeds' cumulative rewards at the second when it is lowest, holds at "
+                "-1 touch or more."
+            ),
+            condition=condition,
+            measure=measure,
+            rule="at least",
+            threshold=threshold,
+            estimate=estimate,
+            unit=unit,
+            compared=compared,
+        )
+        for condition, measure, threshold, estimate, unit, compared in (
+            (
+                f"{SOCIAL}, at the end",
+                measures.of(SOCIAL, _ends_positive),
+                0.8,
+                mean,
+                "share of seeds",
+                measures.of_each(CONTROLS, _ends_positive),
+            ),
+            (
+                f"{SOCIAL}, lowest",
+                partial(lowest_mean, condition=SOCIAL),
+                -1.0,
+                mean,
+                "touches",
+                {name: partial(lowest_mean, condition=name) for name in CONTROLS},
+            ),
+        )
+    ),
+    *(
+        Claim(
+            id="2d",
+            text="Without feedback it still forgets, but more slowly.",
+            reading=(
+                "Our reading: which share of Q(PLAY, play) is lost by one choice of "
+                "play in PLAY during which nobody touches the robot (all such choices "
+                "at a positive value: sum of the losses by sum of the values). Holds "
+                "if it is above 0 with the social rate, and less than with the "
+                "asynchronous one seed by seed (whole intervals)."
+            ),
+            condition=condition,
+            measure=measure,
+            rule="above",
+            threshold=0.0,
+            estimate=mean,
+            unit="share of the value",
+            compared=compared,
+        )
+        for condition, measure, compared in (
+            (
+                SOCIAL,
+                measures.of(SOCIAL, _silent_loss),
+                measures.of_each(CONTROLS, _silent_loss),
+            ),
+            (
+                f"{ASYNCHRONOUS} - {SOCIAL}",
+                measures.difference(ASYNCHRONOUS, SOCIAL, _silent_loss),
+                {},
+            ),
+        )
+    ),
+    Claim(
+        id="2e",
+        text="The influence of the reward grows weaker with time.",
+        reading=(
+            "Our reading: the mean size of the change of a pair's Q-value by a touch, "
+            "first half of the entries with a touch minus second half, seed by seed. "
+            "Holds if the whole interval is above 0."
+        ),
+        condition=SOCIAL,
+        measure=measures.of(SOCIAL, social.pull_fades),
+        rule="above",
+        threshold=0.0,
+        estimate=mean,
+        unit="touches",
+        compared=measures.of_each(CONTROLS, social.pull_fades),
+    ),
+)
+
+
+def _figure(name: str, condition: str, rate: str) -> PaperFigure:
+    return PaperFigure(
+        name=name,
+        caption=(
+            f"{rate}. Which behavior the robot does, the Q-values of both behaviors in "
+            "PLAY and in IGNORE, and the sum of all touches."
+        ),
+        condition=condition,
+        rows=(
+            BehaviorSequence(),
+            QValues(scene=PLAY),
+            QValues(scene=IGNORE),
+            CumulativeReward(),
+        ),
+    )
+
+
+EXPERIMENT = Experiment(
+    number=2,
+    title="A social learning rate",
+    question=(
+        "Does the robot learn better if touches and attention, not silence, decide how "
+        "much it learns?"
+    ),
+    setup=(
+        "The home and the person of experiment 1. The robot now tells PLAY, in which "
+        "the person attends to it, from IGNORE, in which the person does not.",
+        "Q-learning with the social rate: what happens under attention and with a "
+        "touch moves values far, what happens unnoticed hardly at all.",
+        "Controls: the asynchronous rate, and skip_silence, which does not learn from "
+        "steps without feedback at all (asynchronous rate otherwise).",
+    ),
+    conditions=(
+        Condition(name=SOCIAL, scenario="experiment_2", learner="q_social"),
+        Condition(name=ASYNCHRONOUS, scenario="experiment_2", learner="q_asynchronous"),
+        Condition(name=SKIP, scenario="experiment_2", learner="skip_silence"),
+    ),
+    claims=CLAIMS,
+    figures=(
+        _figure("figure_4", SOCIAL, "Social rate"),
+        _figure("figure_4_asynchronous", ASYNCHRONOUS, "Control: asynchronous rate"),
+    ),
+    scenes=(PLAY, IGNORE),
+)
