@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.people.feedback import Cause, Feedback
+from household.perception.situation import Situation
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
@@ -136,6 +137,6 @@ def _touches(home: "Household") -> tuple[Touch, ...]:
     )
 
 
-def situations(home: "Household") -> tuple[str, ...]:
-    """The situation as each robot sees it now, in words."""
-    return tuple(str(home.situation(agent)) for agent in home.possible_agents)
+def situations(home: "Household") -> tuple[Situation, ...]:
+    """The situation as each robot sees it now."""
+    return tuple(home.situation(agent) for agent in home.possible_agents)

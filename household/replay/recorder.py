@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from household.perception.situation import Situation
 from household.replay.events import Belief, Events
 from household.replay.layout import layout
 from household.replay.moving import send_rows
@@ -62,7 +63,7 @@ class Recorder:
         self._buffer = Buffer(scenario, flush_every)
         self._events = Events(scenario)
         self._total = np.zeros(len(scenario.robots))
-        self._said: list[tuple[int, tuple[str, ...]]] = []
+        self._said: list[tuple[int, tuple[Situation, ...]]] = []
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
         self._last: Snapshot | None = None
         self._watch, self._written = bool(watch), time.monotonic()
@@ -163,13 +164,12 @@ def _relations_changed(last: Snapshot, now: Snapshot) -> bool:
     )
 
 
-def _document(robots: Sequence[str], said: Sequence[str]) -> str:
+def _document(robots: Sequence[str], said: Sequence[Situation]) -> str:
     """Situations in words; one line if all robots see the same."""
-    if len(set(said)) == 1:
-        return said[0]
-    return "\n".join(
-        f"{robot}: {text}" for robot, text in zip(robots, said, strict=True)
-    )
+    if all(situation == said[0] for situation in said):
+        return str(said[0])
+    told = zip(robots, said, strict=True)
+    return "\n".join(f"{robot}: {situation}" for robot, situation in told)
 
 
 def _address(watch: bool | str) -> str | None:

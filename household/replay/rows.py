@@ -75,8 +75,9 @@ class Buffer:
     def put(self, snapshot: Snapshot) -> None:
         """Adds a snapshot; its touches are kept elsewhere."""
         row = self._filled
+        values: tuple[Any, ...] = snapshot
         # The touches, which have no column, are a snapshot's last field.
-        for column, value in zip(self._columns, snapshot, strict=False):
+        for column, value in zip(self._columns, values, strict=False):
             column[row] = value
         self._filled = row + 1
 
