@@ -23,6 +23,10 @@ R = TypeVar("R")
 MAX_ATTEMPTS = 3
 """How often a trial that kills its worker is tried in all (our choice)."""
 
+AWAKE = 0.5
+"""How long to wait at a stretch [s]. The system may hand Ctrl-C to any thread; the main
+thread notices only when it wakes up."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Generic[T, R]):
@@ -106,7 +110,9 @@ class _Loop(Generic[T, R]):
 
     def collect(self) -> Iterator[Outcome[T, R]]:
         """Waits for a trial to finish and yields what has finished."""
-        done, _ = wait(self._live, return_when=FIRST_COMPLETED)
+        done: set[Future[R]] = set()
+        while not done:
+            done, _ = wait(self._live, AWAKE, FIRST_COMPLETED)
         if any(isinstance(_error(future), BrokenExecutor) for future in done):
             done, _ = wait(self._live)  # a broken pool ends every trial in flight
             self._reopen()
