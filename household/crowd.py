@@ -5,6 +5,7 @@ along them and turns heads; it knows nothing of why anyone goes anywhere.
 """
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,9 @@ from household.home.routes import routes_of
 from household.locomotion import STUCK, follow_up, steer, turn_heads
 from household.records import Point
 from household.world import World
+
+if TYPE_CHECKING:
+    from pymunk import Space
 
 Array = NDArray[np.float64]
 Waypoints = list[Point]
@@ -104,6 +108,11 @@ class Crowd:
         if self._where is None:
             self._where = [(x, y) for x, y in self.position.tolist()]
         return self._where
+
+    @property
+    def space(self) -> "Space":
+        """The physics engine's, for those who measure it."""
+        return self._world.space
 
     def walks(self, i: int) -> bool:
         """Whether a body is on its way somewhere."""

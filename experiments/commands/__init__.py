@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
+from experiments.commands.benchmarking import Bench
 from experiments.commands.replaying import Replay
 from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
@@ -29,5 +30,6 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "replay": Replay,
     "scenarios": Scenarios,
     "check": Check,
+    "bench": Bench,
 }
 """Every command that there is, in the order of `--help`."""

@@ -1,0 +1,5 @@
+"""`household bench`: how fast it all is, and how that grows, measured in one run.
+
+Everything that is compared is measured in turn (A B A B), in the processor's time of
+this process, so that other work on the machine touches all of it alike.
+"""

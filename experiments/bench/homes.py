@@ -1,0 +1,83 @@
+"""Households of any size to step, and what steps them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from itertools import cycle, islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from household.environment import Household
+    from household.home.floorplan import FloorPlan
+
+APART = 0.7
+"""Least distance between robots at the beginning [m]."""
+
+FOREVER = 10**9
+"""Decisions in an episode that is not to end."""
+
+
+def household(
+    n_people: int, n_robots: int, home: str | FloorPlan = "villa"
+) -> Household:
+    """Returns a household of everyday people of all shipped kinds.
+
+    Args:
+        n_people: 1 to 64.
+        n_robots: 1 to 16.
+        home: Where they live.
+    """
+    from household import household_v0
+    from household.records import shipped
+
+    personas = islice(cycle(sorted(shipped("people/personas"))), n_people)
+    people = [{"name": f"p{i}", "persona": kind} for i, kind in enumerate(personas)]
+    robots = [{"position": spot} for spot in _spots(home, n_robots)]
+    return household_v0.parallel_env(
+        "evening", home=home, people=people, robots=robots, max_cycles=FOREVER
+    )
+
+
+def _spots(home: str | FloorPlan, n: int) -> list[tuple[float, float]]:
+    """Places for robots, spread over the home by chance, always the same."""
+    from household.home.floorplan import FloorPlan, load_floorplan
+    from household.home.routes import routes_of
+
+    plan = home if isinstance(home, FloorPlan) else load_floorplan(home)
+    routes, entrance = routes_of(plan), np.array(plan.regions[0].center)
+    spots: list[tuple[float, float]] = []
+    for x, y in np.random.default_rng(0).permutation(routes.centers()).tolist():
+        apart = all(math.dist((x, y), other) >= APART for other in spots)
+        if apart and routes.connects(np.array([x, y]), entrance):
+            spots.append((x, y))
+            if len(spots) == n:
+                break
+    return spots
+
+
+@dataclass
+class Stepping:
+    """Steps a parallel environment with random actions, one step for each call."""
+
+    env: Any
+    """A PettingZoo parallel environment, also inside wrappers."""
+
+    rng: np.random.Generator = field(default_factory=lambda: np.random.default_rng(0))
+    """Draws the actions."""
+
+    def __post_init__(self) -> None:
+        """Begins an episode."""
+        self.env.reset(seed=0)
+        actions = self.env.action_space(self.env.agents[0]).n
+        drawn = self.rng.integers(actions, size=(500, len(self.env.agents)))
+        agents = self.env.agents
+        self._actions = cycle(
+            dict(zip(agents, row, strict=True)) for row in drawn.tolist()
+        )
+
+    def __call__(self) -> None:
+        """Makes a step."""
+        self.env.step(next(self._actions))

@@ -1,0 +1,98 @@
+"""Learners: time and memory of updates, against actors and situations visited."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from experiments.bench.measure import Measure, Settings
+
+BUDGET_ACTORS = 8
+"""Actors that the budget of an update is for."""
+
+ACTORS = 4
+"""In the states of which more and more are visited."""
+
+
+def updates(settings: Settings) -> Iterator[Measure]:
+    """Yields the time of an update with canonical analogy, against the actors."""
+    from learners.analogy import Canonical
+    from learners.benchmark import microseconds
+
+    for actors in settings.actors:
+        yield Measure(
+            part="learner's update against actors",
+            name=str(actors),
+            unit="us",
+            values=tuple(
+                float(microseconds(Canonical(), actors, known=True))
+                for _ in range(min(settings.repetitions, 3))
+            ),
+            x=actors,
+            at_most=20.0 if actors == BUDGET_ACTORS else None,
+        )
+
+
+def visited(settings: Settings) -> Iterator[Measure]:
+    """Yields time of an update and memory of a learner, against what it visited."""
+    found = [_lives(settings.situations) for _ in range(min(settings.repetitions, 3))]
+    for index, situations in enumerate(settings.situations):
+        for place, (what, unit) in enumerate((("update", "us"), ("memory", "kB"))):
+            yield Measure(
+                part=f"learner's {what} against situations visited",
+                name=str(situations),
+                unit=unit,
+                values=tuple(each[index][place] for each in found),
+                x=situations,
+            )
+
+
+def _lives(marks: tuple[int, ...]) -> list[tuple[float, float]]:
+    """One learner meets ever new situations.
+
+    Returns:
+        At each mark the time of an update since the last one [us], and the memory of
+        the learner [kB]. Memory is measured in a second life, as that slows it down.
+    """
+    clock = time.process_time
+    times = [1e6 * (later - before) for before, later in _lived(marks, clock)]
+    tracemalloc.start()
+    try:
+        sizes = [later for _, later in _lived(marks, _allocated)]
+    finally:
+        tracemalloc.stop()
+    since = np.diff((0, *marks)).tolist()
+    return [
+        (spent / entries, size / 1e3)
+        for spent, entries, size in zip(times, since, sizes, strict=True)
+    ]
+
+
+def _allocated() -> float:
+    return tracemalloc.get_traced_memory()[0]
+
+
+def _lived(
+    marks: tuple[int, ...], gauge: Callable[[], float]
+) -> Iterator[tuple[float, float]]:
+    """Reads a gauge before and after what is learned up to each mark."""
+    from learners.analogy import Canonical
+    from learners.benchmark import N_BEHAVIORS, crowds, experiences
+    from learners.credit import Designated
+    from learners.qlearner import QLearner
+
+    rng = np.random.default_rng(0)
+    states = crowds(ACTORS, max(marks) + 1, rng)
+    lived = list(experiences(states, rng))
+    learner = QLearner(
+        N_BEHAVIORS, rng, credit=Designated(), analogy=Canonical(), horizon=60.0
+    )
+    begin = gauge()
+    for first, last in zip((0, *marks), marks, strict=False):
+        before = gauge()
+        for experience in lived[first:last]:
+            learner.learn(experience)
+        yield before - begin, gauge() - begin

@@ -1,0 +1,123 @@
+"""Measures: what was found, how often, and what the design demands of it."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measure:
+    """One quantity, measured several times."""
+
+    part: str
+    """What it belongs to: a table of its own, and a plot if it has an `x`."""
+
+    name: str
+    """What was measured."""
+
+    unit: str
+    """Of the values."""
+
+    values: tuple[float, ...]
+    """One for each repetition."""
+
+    x: float | None = None
+    """What it is plotted against."""
+
+    at_most: float | None = None
+    """The budget, if it is an upper bound."""
+
+    at_least: float | None = None
+    """The budget, if it is a lower bound."""
+
+    @property
+    def median(self) -> float:
+        """The middle of the repetitions."""
+        return statistics.median(self.values)
+
+    @property
+    def holds(self) -> bool | None:
+        """Whether the budget is kept; None without a budget."""
+        if self.at_most is not None:
+            return self.median <= self.at_most
+        if self.at_least is not None:
+            return self.median >= self.at_least
+        return None
+
+    def plain(self) -> dict[str, Any]:
+        """Returns everything as plain data, for JSON."""
+        fields = ("part", "name", "unit", "values", "x", "at_most", "at_least")
+        told = {name: getattr(self, name) for name in fields}
+        return told | {"median": self.median, "holds": self.holds}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """How much is measured."""
+
+    repetitions: int = 7
+    """Of everything; the median counts."""
+
+    steps: int = 100
+    """Environment steps in a repetition."""
+
+    people: tuple[int, ...] = (1, 2, 4, 8, 16, 32, 64)
+    """Households to step, with two robots each."""
+
+    robots: tuple[int, ...] = (1, 2, 4, 8, 16)
+    """Households to step, with four people each."""
+
+    rooms: tuple[int, ...] = (1, 2, 4, 8, 16)
+    """Generated homes to step in, with four people and two robots."""
+
+    actors: tuple[int, ...] = (1, 2, 4, 8, 16)
+    """In the states that a learner learns from."""
+
+    situations: tuple[int, ...] = (500, 1_000, 2_000, 4_000, 8_000)
+    """That a learner has visited."""
+
+    trials: int = 12
+    """With one worker, and again with two."""
+
+
+def alternate(
+    subjects: Mapping[str, Callable[[], object]], repetitions: int, calls: int
+) -> dict[str, list[float]]:
+    """Times several things in turn.
+
+    Args:
+        subjects: What to call, by name; each is called some times to warm up first.
+        repetitions: Rounds in which each has its turn.
+        calls: In a turn.
+
+    Returns:
+        For each name the processor's time of one call in each round [s].
+    """
+    for call in subjects.values():
+        _turn(call, max(calls // 2, 1))
+    rounds = [
+        {name: _turn(call, calls) for name, call in subjects.items()}
+        for _ in range(repetitions)
+    ]
+    return {name: [found[name] for found in rounds] for name in subjects}
+
+
+def _turn(call: Callable[[], object], calls: int) -> float:
+    begin = time.process_time()
+    for _ in range(calls):
+        call()
+    return (time.process_time() - begin) / calls
+
+
+def ratios(above: list[float], below: list[float]) -> tuple[float, ...]:
+    """Returns the ratio in each round."""
+    return tuple(a / b for a, b in zip(above, below, strict=True))
+
+
+def microseconds(seconds: list[float]) -> tuple[float, ...]:
+    """Returns times in microseconds."""
+    return tuple(1e6 * each for each in seconds)

@@ -1,0 +1,123 @@
+"""What was measured, as JSON, as a table and as plots."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import platform
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from experiments.results import commit, to_json, versions, write_text, write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from rich.table import Table
+
+    from experiments.bench.measure import Measure, Settings
+
+VERDICTS = {None: "", True: "kept", False: "MISSED"}
+
+COLUMNS = 3
+"""Plots side by side."""
+
+
+def machine() -> dict[str, str]:
+    """Returns what this machine is, in a few words."""
+    load = ", ".join(f"{each:.1f}" for each in _load())
+    return {
+        "system": platform.platform(),
+        "processor": _processor(),
+        "cores": str(os.cpu_count()),
+        "load at the end": load or "unknown",
+    }
+
+
+def _load() -> tuple[float, ...]:
+    return os.getloadavg() if hasattr(os, "getloadavg") else ()
+
+
+def _processor() -> str:
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8").splitlines() if info.exists() else []
+    names = [line.partition(": ")[2] for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor() or platform.machine()
+
+
+def document(measures: Iterable[Measure], settings: Settings) -> dict[str, Any]:
+    """Returns everything as plain data."""
+    return {
+        "machine": machine(),
+        "versions": versions(),
+        "commit": commit(),
+        "settings": dataclasses.asdict(settings),
+        "measures": [measure.plain() for measure in measures],
+    }
+
+
+def write(measures: Sequence[Measure], settings: Settings, out: Path) -> None:
+    """Writes bench.json and bench.svg."""
+    write_text(out / "bench.json", to_json(document(measures, settings)))
+    write_whole(out / "bench.svg", lambda path: _plot(measures, path))
+
+
+def table(measures: Iterable[Measure]) -> Table:
+    """Returns all measures, part by part."""
+    from rich.table import Table
+
+    shown = Table("", "", "median", "least", "most", "budget", "")
+    part = ""
+    for each in measures:
+        if each.part != part:
+            shown.add_section()
+        shown.add_row(each.part if each.part != part else "", *_cells(each))
+        part = each.part
+    return shown
+
+
+def _cells(each: Measure) -> tuple[str, ...]:
+    bounds = (("at most", each.at_most), ("at least", each.at_least))
+    budget = "".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
+    return (
+        each.name,
+        f"{each.median:.4g} {each.unit}",
+        f"{min(each.values):.4g}",
+        f"{max(each.values):.4g}",
+        budget,
+        VERDICTS[each.holds],
+    )
+
+
+def _plot(measures: Sequence[Measure], path: Path) -> None:
+    """One plot for each part that grows with something; medians and ranges."""
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    parts = list(dict.fromkeys(each.part for each in measures if each.x is not None))
+    rows = -(-len(parts) // COLUMNS)
+    with mpl.rc_context({"svg.hashsalt": "household", "font.size": 9}):
+        figure = Figure(figsize=(3.4 * COLUMNS, 2.6 * rows), layout="constrained")
+        axes = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
+        for part, ax in zip(parts, axes, strict=False):
+            _draw(ax, part, [each for each in measures if each.part == part])
+        for ax in axes[len(parts) :]:
+            ax.set_visible(False)
+        figure.savefig(path, format="svg", metadata={"Date": None})
+
+
+def _draw(ax: Axes, part: str, measures: Sequence[Measure]) -> None:
+    x = [each.x or 0.0 for each in measures]
+    ax.plot(x, [each.median for each in measures], marker="o", color="#0072b2")
+    ax.fill_between(
+        x,
+        [min(each.values) for each in measures],
+        [max(each.values) for each in measures],
+        color="#0072b2",
+        alpha=0.2,
+        linewidth=0,
+    )
+    what, _, against = part.partition(" against ")
+    ax.set(xlabel=against, ylabel=f"{what} [{measures[0].unit}]")
+    ax.set_ylim(bottom=0)
+    ax.spines[["top", "right"]].set_visible(False)

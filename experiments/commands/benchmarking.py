@@ -1,0 +1,75 @@
+"""`household bench`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from experiments.commands.terminal import new_console
+from experiments.errors import ExperimentError
+
+if TYPE_CHECKING:
+    from experiments.bench.measure import Measure, Settings
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bench:
+    """Measure how fast it all is, beside peers that are installed.
+
+    Takes some minutes; the peers come with the extra `bench`.
+    """
+
+    out: Path = Path("runs/bench")
+    """Directory for bench.json and bench.svg."""
+
+    repetitions: int = 7
+    """Of every measurement; the median counts."""
+
+    steps: int = 100
+    """Environment steps in a repetition."""
+
+    def run(self) -> None:
+        """Measures everything, writes it down and shows it."""
+        from experiments.bench.measure import Settings
+        from experiments.results import make_directory
+
+        for name in ("repetitions", "steps"):
+            if getattr(self, name) < 1:
+                raise ExperimentError(
+                    f"--{name} must be at least 1, got {getattr(self, name)}."
+                )
+        make_directory(self.out)
+        measure_all(Settings(repetitions=self.repetitions, steps=self.steps), self.out)
+
+
+def measure_all(settings: Settings, out: Path) -> None:
+    """Measures everything, writes bench.json and bench.svg, and shows the table."""
+    from experiments.bench import report
+
+    console = new_console()
+    measures: list[Measure] = []
+    for name, part in _parts().items():
+        with console.status(f"Measuring {name}"):
+            measures += part(settings)
+    report.write(measures, settings, out)
+    console.print(report.table(measures))
+    for name, value in report.machine().items():
+        console.print(f"{name}: {value}")
+    console.print(f"{out / 'bench.json'}, {out / 'bench.svg'}")
+
+
+def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
+    from experiments.bench import learning, processes, stepping
+
+    return {
+        "steps beside peers": stepping.beside_peers,
+        "physics": stepping.beside_physics,
+        "growth": stepping.growth,
+        "recording": stepping.recording,
+        "learners": learning.updates,
+        "learners' memory": learning.visited,
+        "start": processes.starting,
+        "trials": processes.trials,
+    }
