@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-RAYS = 17
-"""Rays in a cone; 120 degrees of view are drawn in steps of 7.5 degrees."""
+RAYS = 13
+"""Rays in a cone; 120 degrees of view are drawn in steps of 10 degrees."""
 
 
 @njit(cache=True)

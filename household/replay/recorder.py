@@ -63,6 +63,7 @@ class Recorder:
         self._buffer = Buffer(scenario, flush_every)
         self._events = Events(scenario)
         self._total = np.zeros(len(scenario.robots))
+        self._seen: tuple[Situation, ...] = ()
         self._said: list[tuple[int, tuple[Situation, ...]]] = []
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
         self._last: Snapshot | None = None
@@ -87,10 +88,12 @@ class Recorder:
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""
-        now = snapshot(self._home)
-        last, self._last = self._last, now
-        if last is None or _relations_changed(last, now):
-            self._said.append((now.decision, situations(self._home)))
+        self._last = now = snapshot(self._home)
+        seen = situations(self._home)
+        # The environment hands out the same object as long as nothing changes.
+        if seen != self._seen:
+            self._seen = seen
+            self._said.append((now.decision, seen))
         self._buffer.put(now)
         self._events.see(now)
         if self._buffer.full or (self._watch and self._is_due()):
@@ -154,14 +157,6 @@ class Recorder:
             scalars = rr.Scalars.columns(scalars=values)
             self._stream.send(f"q/{robot}", moments, scalars)
         self._values.clear()
-
-
-def _relations_changed(last: Snapshot, now: Snapshot) -> bool:
-    """Whether anything that a situation is made of is different."""
-    return (
-        last.activity.tobytes() != now.activity.tobytes()
-        or last.attends.tobytes() != now.attends.tobytes()
-    )
 
 
 def _document(robots: Sequence[str], said: Sequence[Situation]) -> str:
