@@ -66,13 +66,15 @@ def table(measures: Iterable[Measure]) -> Table:
     """Returns all measures, part by part."""
     from rich.table import Table
 
-    shown = Table("", "", "median", "least", "most", "budget", "")
-    part = ""
+    shown = Table("", "median", "least", "most", "budget", "")
+    parts: dict[str, list[Measure]] = {}
     for each in measures:
-        if each.part != part:
-            shown.add_section()
-        shown.add_row(each.part if each.part != part else "", *_cells(each))
-        part = each.part
+        parts.setdefault(each.part, []).append(each)
+    for part, found in parts.items():
+        shown.add_section()
+        shown.add_row(part, style="bold")
+        for each in found:
+            shown.add_row(*_cells(each))
     return shown
 
 
@@ -80,7 +82,7 @@ def _cells(each: Measure) -> tuple[str, ...]:
     bounds = (("at most", each.at_most), ("at least", each.at_least))
     budget = "".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
     return (
-        each.name,
+        f"  {each.name}",
         f"{each.median:.4g} {each.unit}",
         f"{min(each.values):.4g}",
         f"{max(each.values):.4g}",

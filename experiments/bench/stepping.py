@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import statistics
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -38,10 +40,12 @@ def beside_physics(settings: Settings) -> Iterator[Measure]:
         rounds = []
         for _ in range(settings.repetitions):
             spent.clear()
-            begin = time.perf_counter()
+            begin = time.process_time()
             for _ in range(settings.steps):
                 step()
-            rounds.append((time.perf_counter() - begin, sum(spent)))
+            # The median call, since other work on the machine may interrupt a few.
+            inside = statistics.median(spent) * len(spent) if spent else math.nan
+            rounds.append((time.process_time() - begin, inside))
     physics = [inside / settings.steps for _, inside in rounds]
     whole = [total / settings.steps for total, _ in rounds]
     yield Measure(
