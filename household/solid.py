@@ -28,7 +28,7 @@ def keep_out(
 
     A body whose middle went through a segment goes back to where it was; one that
     overlaps a segment is pushed out along the shortest way; one that was pressed into
-    a gap too narrow for it goes back, too.
+    a gap too narrow for it, or through it, goes back, too.
 
     Args:
         before: Where the bodies were, out of everything solid, shape (n, 2) [m].
@@ -52,7 +52,9 @@ def keep_out(
             if pushed == b:
                 break
             b, moved[i] = pushed, True
-        if moved[i] and not _fits(b, radius[i], segments, thickness):
+        # A push may lead into a gap too narrow, or through the other side of it.
+        fits = _fits(b, radius[i], segments, thickness)
+        if moved[i] and (not fits or _goes_through(a, b, segments)):
             b = a
         after[i, 0], after[i, 1] = b
     return np.flatnonzero(moved)
