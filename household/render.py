@@ -73,7 +73,7 @@ class Painter:
         self._home = self._pygame.surfarray.make_surface(pixels)
         self._margin = (SIZE[0] - self._home.get_width()) / 2
         self._font = self._pygame.font.Font(_font_path(), 11)
-        self._recent: list[tuple[float, Point, str]] = []
+        self._recent: dict[str, tuple[float, Point, str]] = {}
 
     def paint(self, snapshot: Snapshot) -> "pygame.Surface":
         """A picture of a moment; earlier touches are still seen for a while."""
@@ -105,13 +105,16 @@ class Painter:
         )
 
     def remember(self, snapshot: Snapshot) -> None:
-        """Keeps the touches of a moment; forgets what is long past or yet to come."""
+        """Keeps the newest touch of each robot; forgets what is long past."""
         now, first = snapshot.time, len(self._scenario.people)
-        self._recent = [t for t in self._recent if now - SHOWN < t[0] < now]
+        for robot, (time, _, _) in list(self._recent.items()):
+            # Later than now: an episode has begun anew.
+            if not now - SHOWN < time < now:
+                del self._recent[robot]
         for touch in snapshot.touches:
-            robot = first + self._scenario.robot_names.index(touch.robot)
-            spot = self._at(snapshot.position[robot])
-            self._recent.append((now, spot, touch.feedback.kind))
+            index = first + self._scenario.robot_names.index(touch.robot)
+            spot = self._at(snapshot.position[index])
+            self._recent[touch.robot] = (now, spot, touch.feedback.kind)
 
     def _draw_gazes(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
         n = len(self._scenario.people)
@@ -172,7 +175,7 @@ class Painter:
 
     def _draw_touches(self, surface: "pygame.Surface") -> None:
         """A ring round the robot and a sign, green for a caress, red for a tap."""
-        for _, spot, kind in self._recent:
+        for _, spot, kind in self._recent.values():
             color = rgb(CARESS if kind == "caress" else TAP)
             radius = self._radii[1] * self._raster.scale + 7
             self._pygame.draw.aacircle(surface, color, spot, radius, 4)

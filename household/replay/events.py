@@ -122,7 +122,8 @@ class Events:
         for touch in snapshot.touches:
             self._touches.append((snapshot, touch))
             spot = self._spot(touch.robot, self._now)
-            self._marks["touches"].items.append((self._now, (spot, touch.feedback)))
+            mark = (touch.robot, spot, touch.feedback)
+            self._marks["touches"].items.append((self._now, mark))
             cause = touch.cause
             line = (spot, self._spot(cause.robot, cause.decision))
             self._marks["true"].items.append((self._now, line))
@@ -167,15 +168,14 @@ class Events:
             decisions, groups = marks.groups(self._first, self._now)
             if not decisions:
                 continue
-            flat = [item for group in groups for item in group]
-            sizes = [len(group) for group in groups]
             moments = self._moments(decisions)
             if name == "touches":
-                _send_touch_marks(stream, moments, flat, sizes)
-            else:
-                strips = np.array(flat, dtype=np.float32).reshape(-1, 2, 2)
-                lines = rr.LineStrips2D.columns(strips=strips).partition(sizes)
-                stream.send(f"world/{name}", moments, lines)
+                _send_touch_marks(stream, moments, groups)
+                continue
+            strips = np.array([item for group in groups for item in group], np.float32)
+            lines = rr.LineStrips2D.columns(strips=strips.reshape(-1, 2, 2))
+            sizes = [len(group) for group in groups]
+            stream.send(f"world/{name}", moments, lines.partition(sizes))
 
     def _send_touches(self, stream: Stream) -> None:
         import rerun as rr
@@ -266,12 +266,17 @@ class Events:
 def _send_touch_marks(
     stream: Stream,
     moments: Moments,
-    marks: Sequence[tuple[Point, Feedback]],
-    sizes: Sequence[int],
+    groups: Sequence[Sequence[tuple[str, Point, Feedback]]],
 ) -> None:
-    """Dots where robots are touched; who touches and how stands above."""
+    """Dots where robots were touched last; who touched them and how stands above."""
     import rerun as rr
 
+    newest = [
+        {robot: (spot, felt) for robot, spot, felt in group}.values()
+        for group in groups
+    ]
+    marks = [mark for group in newest for mark in group]
+    sizes = [len(group) for group in newest]
     spots = np.array([spot for spot, _ in marks]).reshape(-1, 2)
     dots = rr.Points2D.columns(
         positions=spots, colors=packed([_color(felt.value) for _, felt in marks])
