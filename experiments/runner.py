@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import polars
 
     from experiments.rows import Evaluated
+    from learners.learner import Learner
     from policies.learning import LearningRobot, Observer
 
 
@@ -71,23 +72,37 @@ def make_robots(
     condition: Condition, env: Evaluated, seed: np.random.SeedSequence
 ) -> dict[str, LearningRobot]:
     """Returns a learning robot for each agent, each with a random stream of its own."""
-    from learners.catalog import make_learner
-    from learners.parts import made
     from policies.learning import LearningRobot
 
     return {
         agent: LearningRobot(
-            make_learner(
-                condition.learner,
-                len(env.behaviors),
-                np.random.default_rng(child),
-                **made(condition.learner_overrides),
-            )
+            make_learner_of(condition, len(env.behaviors), np.random.default_rng(child))
         )
         for agent, child in zip(
             env.possible_agents, seed.spawn(len(env.possible_agents)), strict=True
         )
     }
+
+
+def make_learner_of(
+    condition: Condition, n_behaviors: int = 2, rng: np.random.Generator | None = None
+) -> Learner:
+    """Returns a new learner of a condition.
+
+    Args:
+        condition: What it is to be.
+        n_behaviors: How many behaviors it chooses from.
+        rng: Its random stream; None for a learner that is only looked at.
+    """
+    from learners.catalog import make_learner
+    from learners.parts import made
+
+    return make_learner(
+        condition.learner,
+        n_behaviors,
+        np.random.default_rng(0) if rng is None else rng,
+        **made(condition.learner_overrides),
+    )
 
 
 def configuration(study: Study) -> dict[str, Any]:

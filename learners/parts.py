@@ -73,6 +73,18 @@ def made(settings: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
+def name_of(setting: str, part: object) -> str:
+    """Returns the first name under which parts of this type are made.
+
+    Raises:
+        UnknownNameError: If there is none.
+    """
+    for name, make in PARTS[setting].items():
+        if type(make()) is type(part):
+            return name
+    raise UnknownNameError(f"no {setting} is made as {type(part).__name__}")
+
+
 def _part(setting: str, value: object) -> object:
     if isinstance(value, str):
         return _known(setting, value)()

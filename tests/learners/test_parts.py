@@ -5,7 +5,7 @@ from learners.analogy import Propagation, RemoveEntity, SwapRoles
 from learners.catalog import make_learner
 from learners.credit import Designated
 from learners.errors import ParameterError, UnknownNameError
-from learners.parts import PARTS, made
+from learners.parts import PARTS, made, name_of
 from learners.rates import SocialRate
 from learners.rivals.skip_silence import SkipSilence
 
@@ -52,3 +52,16 @@ def test_what_is_not_known_is_refused_with_the_nearest_name():
         made({"rate": {"name": "social", "centre": 1.0}})
     with pytest.raises(ParameterError, match="smallest exponent"):
         made({"rate": {"name": "social", "center": 0.75}})
+
+
+def test_a_parts_name_makes_a_part_of_its_type(rng):
+    learner = make_learner("designated_adaptive", 2, rng)
+    found = {setting: name_of(setting, getattr(learner, setting)) for setting in PARTS}
+    assert found == {
+        "rate": "social",
+        "credit": "designated",
+        "analogy": "adaptive",
+        "exploration": "softmax",
+    }
+    with pytest.raises(UnknownNameError, match="no rate is made as str"):
+        name_of("rate", "social")
