@@ -24,6 +24,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import inf
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
@@ -231,9 +232,11 @@ class Rows(Observer):
         ]
 
     def _truth(self, cause: Cause) -> dict[str, Any]:
-        """The pair that was in force when the bout that was meant began."""
+        """The pair that was in force when the giver judged the bout that it meant."""
         diary = self._diaries.get(cause.robot)
-        return _at(diary, cause.time) | {"behavior": self._behaviors[cause.behavior]}
+        return _at(diary, cause.time, cause.decision) | {
+            "behavior": self._behaviors[cause.behavior]
+        }
 
     def _credited(self, diary: _Diary, credit: Credit | None) -> dict[str, Any]:
         if credit is None:
@@ -264,9 +267,18 @@ class Rows(Observer):
         return dict(zip(self._behaviors, map(float, values), strict=True))
 
 
-def _at(diary: _Diary | None, time: float) -> dict[str, Any]:
-    """Bout, situation and behavior that were in force at a time; None if unknown."""
+def _at(diary: _Diary | None, time: float, latest_bout: float = inf) -> dict[str, Any]:
+    """Bout, situation and behavior that were in force at a time; None if unknown.
+
+    Args:
+        diary: Of the robot; None if it keeps none.
+        time: [s].
+        latest_bout: Entries of later bouts are passed over: a bout that is judged as it
+            ends is followed by the next one at the same moment.
+    """
     index = bisect_right(diary.begun, time + 1e-9) - 1 if diary else -1
+    while diary and index >= 0 and diary.bouts[index][0] > latest_bout:
+        index -= 1
     if diary is None or index < 0:
         return dict.fromkeys(_PAIR)
     return dict(zip(_PAIR, diary.bouts[index], strict=True))

@@ -139,6 +139,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._noise = np.zeros((n_robots, MOST_PEOPLE))
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         # Situations recur; each is put together once.
+        self._names = (*scenario.person_names, *self.possible_agents)
+        self._plays = lru_cache(maxsize=SITUATIONS_KEPT)(self._make_plays)
         self._situation = lru_cache(maxsize=SITUATIONS_KEPT)(self._make_situation)
         self._moments = round(scenario.decision_period / scenario.steering_period)
 
@@ -210,7 +212,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.decision += 1
         self._look_around(self._head_turn * self.scenario.decision_period)
         self._perceive()
-        judgements = self.people.judge(self.senses, self.robots)
+        judgements = self.people.judge(self.senses, self.robots, self.time)
         clock = (self.time, self.scenario.decision_period)
         self.people.decide(self.crowd, self.senses, judgements, clock)
         self._show()
@@ -395,18 +397,19 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self, activity: bytes, attends: bytes, target: int
     ) -> Situation:
         """The situation that these roles and this attention make."""
-        people = self.scenario.person_names
-        names = (*people, *self.possible_agents)
-        roles = (ACTIVITY_NAMES[role] for role in np.frombuffer(activity, np.int_))
+        names = self._names
         relations = np.flatnonzero(np.frombuffer(attends, np.bool_)).tolist()
         if self.scenario.situation.attention == "all":
             pairs = [divmod(pair, len(names)) for pair in relations]
         else:
             pairs = [(observer, target) for observer in relations]
-        return Situation.of(
-            dict(zip(people, roles, strict=True)),
-            ((names[i], names[j]) for i, j in pairs),
-        )
+        attended = frozenset((names[i], names[j]) for i, j in pairs)
+        return Situation(self._plays(activity), attended)
+
+    def _make_plays(self, activity: bytes) -> tuple[tuple[str, str], ...]:
+        """Who plays which role, as situations have it."""
+        roles = [ACTIVITY_NAMES[role] for role in np.frombuffer(activity, np.int_)]
+        return Situation.of(dict(zip(self._names, roles, strict=False))).plays
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""

@@ -14,7 +14,8 @@ class Cause:
         robot: The robot whose behavior called for it.
         decision: The environment step at which the bout in question was begun.
         behavior: Index of that behavior.
-        time: When the bout was begun [s].
+        time: When the giver judged it [s]; what is meant is the bout in the situation
+            of that moment, which may have changed since the bout was begun.
     """
 
     robot: str

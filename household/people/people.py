@@ -116,10 +116,17 @@ class People:
         ]
         return chosen
 
-    def judge(self, senses: Senses, robots: Robots) -> list[list[Judgement]]:
+    def judge(
+        self, senses: Senses, robots: Robots, now: float
+    ) -> list[list[Judgement]]:
         """Everybody appraises the bouts that it did not appraise before.
 
         Appraisal = preference x how strongly the bout was seen or heard.
+
+        Args:
+            senses: What everybody perceives.
+            robots: What there is to be perceived.
+            now: [s].
 
         Returns:
             The new judgements of each person.
@@ -138,14 +145,17 @@ class People:
         )
         self.pleasing = value > 0.0
         begun = np.array([bout.decision for bout in robots.bouts])
-        for i, r in np.argwhere((value != 0.0) & (self._judged != begun)).tolist():
+        new = (value != 0.0) & (self._judged != begun)
+        self._judged = np.where(new, begun, self._judged)
+        believed = _believed(senses, n).tolist()
+        causes = [robots.cause(r, now) for r in range(len(begun))]
+        for i, r in np.argwhere(new).tolist():
             person = self.everyone[i]
-            self._judged[i, r] = begun[r]
             judgement = Judgement(
-                robot=_believed(senses, n, i, r),
+                robot=believed[i][r],
                 value=float(value[i, r]),
                 attending=bool(attends[i, r]),
-                cause=robots.cause(r),
+                cause=causes[r],
             )
             person.live_through(judgement)
             found[i].append(judgement)
@@ -250,8 +260,16 @@ def _preferences(scenario: Scenario, index: int) -> Array:
     )
 
 
-def _believed(senses: Senses, n: int, person: int, robot: int) -> int:
-    """The robot that a person blames: the one it saw, else the loudest it hears."""
-    if senses.sees[person, n + robot]:
-        return robot
-    return int(np.argmax(senses.level[person, n:]))
+def _believed(senses: Senses, n: int) -> NDArray[np.intp]:
+    """The robot that each person blames: the one it saw, else the loudest it hears.
+
+    Args:
+        senses: What everybody perceives.
+        n: How many people there are.
+
+    Returns:
+        For each robot that did something, shape (n, n_robots).
+    """
+    loudest = senses.level[:n, n:].argmax(axis=1)
+    saw = senses.sees[:n, n:]
+    return np.where(saw, np.arange(saw.shape[1]), loudest[:, None])

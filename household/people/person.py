@@ -35,8 +35,8 @@ class Person:
     n_robots: int
     intention: Intention = field(default=Intention(place=0))
     mood: float = 0.0
-    pleased: NDArray[np.float64] = field(init=False)
-    annoyed: NDArray[np.float64] = field(init=False)
+    pleased: list[float] = field(init=False)
+    annoyed: list[float] = field(init=False)
     touched: bool = False
     _half_view: float = field(init=False)
 
@@ -46,8 +46,8 @@ class Person:
 
     def _forget(self) -> None:
         self.mood = 0.0
-        self.pleased = np.zeros(self.n_robots)
-        self.annoyed = np.zeros(self.n_robots)
+        self.pleased = [0.0] * self.n_robots
+        self.annoyed = [0.0] * self.n_robots
         self.touched = False
 
     def begin(self, rng: np.random.Generator) -> None:
@@ -68,7 +68,7 @@ class Person:
 
     def opinion(self, robot: int) -> int:
         """Its questionnaire answer on a robot, from 1 to 10 (paper, section 4.1)."""
-        return opinion(float(self.pleased[robot]), float(self.annoyed[robot]))
+        return opinion(self.pleased[robot], self.annoyed[robot])
 
     @property
     def half_view(self) -> float:

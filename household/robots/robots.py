@@ -52,10 +52,15 @@ class Robots:
         """Whether what a robot was doing is done."""
         return self.bouts[robot].ends <= now + 1e-9
 
-    def cause(self, robot: int) -> Cause:
-        """The bout of a robot as the cause of what people may do about it."""
+    def cause(self, robot: int, now: float) -> Cause:
+        """The bout of a robot as the cause of what people may do about it.
+
+        Args:
+            robot: Index of the robot.
+            now: When somebody judges the bout [s].
+        """
         bout = self.bouts[robot]
-        return Cause(self.names[robot], bout.decision, bout.behavior, bout.began)
+        return Cause(self.names[robot], bout.decision, bout.behavior, now)
 
     def forget_touches(self) -> None:
         """Makes room for the touches of the next step."""

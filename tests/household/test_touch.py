@@ -139,12 +139,13 @@ def test_the_true_cause_is_the_bark_and_stays_out_of_the_touch(household_of):
     scenario = household_of(people=(person(),), norms=NORMS)
     env = household_v0.parallel_env(scenario)
     env.reset(seed=1)
-    # She is touched off by the third decision, and comes when the robot sleeps.
+    # She is touched off by the third decision, judges it at its end, and comes when the
+    # robot sleeps.
     for step in range(12):
         env.step({"robot_0": BARK if step == 2 else SLEEP})
         if env.feedback("robot_0"):
             break
-    assert env.causes("robot_0") == (Cause("robot_0", 2, BARK, 2.0),)
+    assert env.causes("robot_0") == (Cause("robot_0", 2, BARK, 3.0),)
     assert not hasattr(env.feedback("robot_0")[0], "cause")
 
 
