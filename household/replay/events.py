@@ -1,22 +1,20 @@
 """Touches, and what they are about: in truth, and as a learner believes."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from household.people.feedback import Feedback
-from household.replay.colors import CARESS, TAP, packed
+from household.replay.colors import packed
+from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
 from household.replay.scenery import LANE, second
 from household.replay.stream import Moments, Stream, exact, moments_of, words
 from household.scenario import Scenario
 from household.snapshot import Snapshot, Touch
 
 Array = NDArray[np.float64]
-Point = tuple[float, float]
-Line = tuple[Point, ...]
 
 SHOWN = 5.0
 """How long a touch stays on the floor plan [s]."""
@@ -61,38 +59,6 @@ class Belief:
     time: float
     shares: tuple[Share, ...]
     designated: Share | None
-
-
-@dataclass
-class Marks:
-    """Things that stay for a while and then go.
-
-    Attributes:
-        stay: For how many decisions.
-        items: Since which decision, in order, and what.
-    """
-
-    stay: int
-    items: list[tuple[int, Any]] = field(default_factory=list)
-
-    def groups(self, first: int, last: int) -> tuple[list[int], list[list[Any]]]:
-        """Which things are there at each decision at which that changes.
-
-        Args:
-            first: First decision asked for; things that are gone before are forgotten.
-            last: Last decision asked for.
-        """
-        changes = {t for at, _ in self.items for t in (at, at + self.stay)}
-        at = sorted(t for t in changes if first <= t <= last)
-        groups, begin, end = [], 0, 0
-        for moment in at:
-            while end < len(self.items) and self.items[end][0] <= moment:
-                end += 1
-            while begin < end and self.items[begin][0] + self.stay <= moment:
-                begin += 1
-            groups.append([item for _, item in self.items[begin:end]])
-        self.items = [(t, item) for t, item in self.items if t + self.stay > last]
-        return at, groups
 
 
 class Events:
@@ -170,7 +136,7 @@ class Events:
                 continue
             moments = self._moments(decisions)
             if name == "touches":
-                _send_touch_marks(stream, moments, groups)
+                send_touch_marks(stream, moments, groups)
                 continue
             strips = np.array([item for group in groups for item in group], np.float32)
             lines = rr.LineStrips2D.columns(strips=strips.reshape(-1, 2, 2))
@@ -190,7 +156,7 @@ class Events:
         )
         points = rr.Points2D.columns(
             positions=at,
-            colors=packed([_color(f.value) for f in felt]),
+            colors=packed([touch_color(f.value) for f in felt]),
         )
         stream.send("credit/past/touches", moments, points)
         meant = self._on_lanes([(cause.time, cause.robot) for cause in causes])
@@ -263,32 +229,6 @@ class Events:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
 
 
-def _send_touch_marks(
-    stream: Stream,
-    moments: Moments,
-    groups: Sequence[Sequence[tuple[str, Point, Feedback]]],
-) -> None:
-    """Dots where robots were touched last; who touched them and how stands above."""
-    import rerun as rr
-
-    newest = [
-        {robot: (spot, felt) for robot, spot, felt in group}.values()
-        for group in groups
-    ]
-    marks = [mark for group in newest for mark in group]
-    sizes = [len(group) for group in newest]
-    spots = np.array([spot for spot, _ in marks]).reshape(-1, 2)
-    dots = rr.Points2D.columns(
-        positions=spots, colors=packed([_color(felt.value) for _, felt in marks])
-    )
-    stream.send("world/touches", moments, dots.partition(sizes))
-    texts = rr.Points2D.columns(
-        positions=spots + np.array([0.0, 0.5]),
-        labels=[f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks],
-    )
-    stream.send("world/touches/texts", moments, texts.partition(sizes))
-
-
 def touch_columns(touches: Sequence[Touch]) -> list[Any]:
     """Touches as exact columns, one row each; NaN where a moment is not known."""
     felt = [touch.feedback for touch in touches]
@@ -306,26 +246,3 @@ def touch_columns(touches: Sequence[Touch]) -> list[Any]:
         exact("cause", np.array([(c.decision, c.behavior) for c in causes])),
         exact("cause_time", np.array([c.time for c in causes])),
     ]
-
-
-def arcs(start: Array, end: Array, side: float) -> NDArray[np.float32]:
-    """Bows between points in the picture of credit.
-
-    Args:
-        start: Where they begin, shape (n, 2).
-        end: Where they end, shape (n, 2).
-        side: -1 bows upwards, 1 downwards.
-
-    Returns:
-        Shape (n, n_points, 2).
-    """
-    along = np.linspace(0.0, 1.0, 13)[None, :, None]
-    bows = (1 - along) * start[:, None] + along * end[:, None]
-    height = np.minimum(0.42, 0.12 + 0.3 * np.abs(start[:, 0] - end[:, 0]))
-    rise = 4 * along * (1 - along) * height[:, None, None]
-    bows[..., 1:] += side * LANE * rise
-    return bows.astype(np.float32)
-
-
-def _color(value: float) -> str:
-    return CARESS if value > 0 else TAP

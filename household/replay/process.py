@@ -41,7 +41,7 @@ def start_viewer(*arguments: str, detached: bool = False) -> "subprocess.Popen[b
     command = [str(binary), "--bind", LOOPBACK, "--hide-welcome-screen", *arguments]
     return subprocess.Popen(
         command,
-        env=os.environ | {"RERUN_APP_ONLY": "true"},
+        env={"RUST_LOG": "warn"} | os.environ | {"RERUN_APP_ONLY": "true"},
         start_new_session=detached,
     )
 

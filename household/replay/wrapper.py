@@ -3,7 +3,11 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pettingzoo import ParallelEnv
 from pettingzoo.utils.wrappers import BaseParallelWrapper
+
+from household.environment import Household
+from household.errors import HouseholdError
 
 if TYPE_CHECKING:
     from household.replay.recorder import Recorder
@@ -17,6 +21,9 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         folder: Where ``episode_00000.rrd`` and so on are written.
         watch: Shows the running episode in the viewer, or in the one at this address.
         flush_every: Decisions between writes; a killed process loses no more.
+
+    Raises:
+        HouseholdError: If it is not a parallel household.
     """
 
     def __init__(
@@ -27,6 +34,12 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         watch: bool | str = False,
         flush_every: int = 2000,
     ) -> None:
+        home = isinstance(env.unwrapped, Household)
+        if not (home and isinstance(env, ParallelEnv)):
+            raise HouseholdError(
+                "RecordEpisodes records parallel households; make a turn-based one "
+                "from what it returns"
+            )
         super().__init__(env)
         self._folder, self._watch, self._flush_every = Path(folder), watch, flush_every
         self._episode = 0

@@ -6,6 +6,7 @@ import textwrap
 
 import numpy as np
 import pytest
+from pettingzoo.utils.conversions import parallel_to_aec
 
 from household import household_v0
 from household.errors import HouseholdError
@@ -14,6 +15,16 @@ from household.replay.reading import read_replay
 from household.replay.recorder import Recorder
 from household.replay.rows import NAMES
 from household.snapshot import Snapshot, snapshot
+
+
+@pytest.fixture(autouse=True)
+def strict():
+    """Rerun warns of data that it cannot use; here it raises."""
+    import rerun as rr
+
+    rr.set_strict_mode(True)
+    yield
+    rr.set_strict_mode(False)
 
 
 def choose(env, rng):
@@ -76,6 +87,20 @@ def test_a_snapshot_does_not_change_with_the_household(busy_home):
         busy_home.step(choose(busy_home, np.random.default_rng(0)))
     assert equal(before, again)
     assert not equal(before, snapshot(busy_home))
+
+
+def test_only_parallel_households_are_recorded(tmp_path):
+    with pytest.raises(HouseholdError, match="parallel households"):
+        RecordEpisodes(household_v0.env(), tmp_path)
+
+
+def test_a_turn_based_household_is_recorded_below_its_turns(tmp_path):
+    home = household_v0.parallel_env(max_cycles=5)
+    env = parallel_to_aec(RecordEpisodes(home, tmp_path))
+    env.reset(seed=1)
+    for agent in env.agent_iter():
+        env.step(None if env.truncations[agent] else 1)
+    assert len(read_replay(tmp_path / "episode_00000.rrd")) == 6
 
 
 def test_rows_and_snapshots_have_the_same_fields_in_the_same_order():
