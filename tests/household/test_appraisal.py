@@ -90,8 +90,8 @@ def test_an_appraisal_is_preference_times_strength(household_of):
     env.reset(seed=1)
     ann = env.people.everyone[0]
     env.step({"robot_0": BARK})
-    assert ann.annoyed.tolist() == [1.0]
-    assert ann.pleased.tolist() == [0.0]
+    assert list(ann.annoyed) == [1.0]
+    assert list(ann.pleased) == [0.0]
     # The mood fades for a second before anybody can read it.
     assert ann.mood == pytest.approx(-0.2 * math.exp(-1.0 / 300.0))
 
@@ -115,7 +115,7 @@ def test_what_is_neither_seen_nor_heard_is_not_appraised(household_of):
     ann = env.people.everyone[0]
     for _ in range(10):
         env.step({"robot_0": SLEEP})
-    assert ann.pleased.tolist() == [0.0]
+    assert list(ann.pleased) == [0.0]
     assert ann.mood == 0.0
 
 
