@@ -22,7 +22,12 @@ WEDGED = 0.005
 
 @njit(cache=True)
 def keep_out(
-    before: Array, after: Array, radius: Array, segments: Array, thickness: Array
+    before: Array,
+    after: Array,
+    radius: Array,
+    segments: Array,
+    thickness: Array,
+    boxes: Array,
 ) -> NDArray[np.intp]:
     """Puts bodies back that sank into something solid.
 
@@ -36,6 +41,7 @@ def keep_out(
         radius: Shape (n,) [m].
         segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Half thickness of each segment, shape (m,) [m].
+        boxes: Of the segments, from `boxes_round`.
 
     Returns:
         Indices of those whose position was changed.
@@ -45,38 +51,42 @@ def keep_out(
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
         if a == b:
             continue
-        if _goes_through(a, b, segments):
+        if _goes_through(a, b, segments, boxes):
             b, moved[i] = a, True
         for _ in range(ROUNDS):
-            pushed = _pushed_out(b, radius[i], segments, thickness)
+            pushed = _pushed_out(b, radius[i], segments, thickness, boxes)
             if pushed == b:
                 break
             b, moved[i] = pushed, True
         # A push may lead into a gap too narrow, or through the other side of it.
-        fits = _fits(b, radius[i], segments, thickness)
-        if moved[i] and (not fits or _goes_through(a, b, segments)):
+        if moved[i] and (
+            _goes_through(a, b, segments, boxes)
+            or not _fits(b, radius[i], segments, thickness, boxes)
+        ):
             b = a
         after[i, 0], after[i, 1] = b
     return np.flatnonzero(moved)
 
 
 @njit(cache=True)
-def _goes_through(a: Point, b: Point, segments: Array) -> bool:
+def _goes_through(a: Point, b: Point, segments: Array, boxes: Array) -> bool:
     """Whether the way from a to b crosses a segment."""
     box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
     for k in range(len(segments)):
-        if _near(box, 0.0, segments, k) and crosses(*a, *b, segments[k]):
+        if _near(box, 0.0, boxes, k) and crosses(*a, *b, segments[k]):
             return True
     return False
 
 
 @njit(cache=True)
-def _pushed_out(b: Point, radius: float, segments: Array, thickness: Array) -> Point:
+def _pushed_out(
+    b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
+) -> Point:
     """Where a body comes to be that is pushed out of one segment after the other."""
     x, y = b
     for k in range(len(segments)):
         least = radius + thickness[k]
-        if not _near((x, y, x, y), least, segments, k):
+        if not _near((x, y, x, y), least, boxes, k):
             continue
         gx, gy = _offset((x, y), segments, k)
         gap = np.sqrt(gx * gx + gy * gy)
@@ -87,11 +97,13 @@ def _pushed_out(b: Point, radius: float, segments: Array, thickness: Array) -> P
 
 
 @njit(cache=True)
-def _fits(b: Point, radius: float, segments: Array, thickness: Array) -> bool:
+def _fits(
+    b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
+) -> bool:
     """Whether a body overlaps no segment, but for a little."""
     for k in range(len(segments)):
         least = radius + thickness[k] - WEDGED
-        if _near((b[0], b[1], b[0], b[1]), least, segments, k):
+        if _near((b[0], b[1], b[0], b[1]), least, boxes, k):
             gx, gy = _offset(b, segments, k)
             if np.sqrt(gx * gx + gy * gy) < least:
                 return False
@@ -110,16 +122,27 @@ def _offset(b: Point, segments: Array, k: int) -> Point:
 
 
 @njit(cache=True)
-def _near(
-    box: tuple[float, float, float, float], reach: float, segments: Array, k: int
-) -> bool:
-    """Whether a box comes within reach of the box around a segment.
+def _near(box: tuple[float, ...], reach: float, boxes: Array, k: int) -> bool:
+    """Whether a box comes within reach of another.
 
     Four comparisons that spare most segments the exact look.
     """
     return (
-        box[0] <= max(segments[k, 0], segments[k, 2]) + reach
-        and box[1] <= max(segments[k, 1], segments[k, 3]) + reach
-        and box[2] >= min(segments[k, 0], segments[k, 2]) - reach
-        and box[3] >= min(segments[k, 1], segments[k, 3]) - reach
+        box[0] <= boxes[k, 2] + reach
+        and box[1] <= boxes[k, 3] + reach
+        and box[2] >= boxes[k, 0] - reach
+        and box[3] >= boxes[k, 1] - reach
     )
+
+
+def boxes_round(segments: Array) -> Array:
+    """The box round each segment.
+
+    Args:
+        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+
+    Returns:
+        Shape (m, 4), rows of the lower left and the upper right corner [m].
+    """
+    one, other = segments[:, :2], segments[:, 2:]
+    return np.hstack([np.minimum(one, other), np.maximum(one, other)])

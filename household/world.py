@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pymunk.batch import BodyFields
 
 from household.home.floorplan import FloorPlan
-from household.solid import keep_out
+from household.solid import boxes_round, keep_out
 
 Array = NDArray[np.float64]
 
@@ -35,6 +35,7 @@ class World:
         self._add_home(plan)
         self._radius = np.asarray(radius, dtype=np.float64)
         self._solid = plan.solid_segments
+        self._boxes = boxes_round(self._solid)
         walls = len(plan.wall_segments)
         self._thickness = np.zeros(len(self._solid))
         self._thickness[:walls] = plan.wall_thickness / 2
@@ -111,7 +112,12 @@ class World:
             self.space.step(tick)
         after = self._read()
         sunk = keep_out(
-            self._position, after, self._radius, self._solid, self._thickness
+            self._position,
+            after,
+            self._radius,
+            self._solid,
+            self._thickness,
+            self._boxes,
         )
         for i in sunk:
             self._bodies[i].position = float(after[i, 0]), float(after[i, 1])

@@ -15,6 +15,7 @@ from household.home.floorplan import FloorPlan
 from household.home.straight import (
     cells_between,
     line_is_free,
+    nearest,
     onward_to,
     turning_points,
 )
@@ -116,11 +117,9 @@ class Routes:
         cell = self.cell(point)
         if self._indoors[cell]:
             return cell
-        cells = self._indoor_cells
-        centers = self._origin + (cells + 0.5) * CELL
-        away = ((centers - np.asarray(point)) ** 2).sum(axis=1)
-        x, y = cells[np.argmin(away)]
-        return (int(x), int(y))
+        here = (float(point[0]), float(point[1]))
+        x, y = self._indoor_cells[nearest(self._indoor_centers, here)].tolist()
+        return (x, y)
 
     @cached_property
     def _indoors(self) -> NDArray[np.bool_]:
@@ -129,6 +128,10 @@ class Routes:
     @cached_property
     def _indoor_cells(self) -> NDArray[np.intp]:
         return np.argwhere(self._indoors)
+
+    @cached_property
+    def _indoor_centers(self) -> Array:
+        return self._origin + (self._indoor_cells + 0.5) * CELL
 
     @lru_cache(maxsize=1024)  # noqa: B019 - as long-lived as the cached Routes itself
     def _towards(self, goal: tuple[int, int]) -> NDArray[np.int32]:

@@ -90,6 +90,22 @@ def cells_between(
 
 
 @njit(cache=True)
+def nearest(points: NDArray[np.float64], point: tuple[float, float]) -> int:
+    """Index of the point that is nearest to another.
+
+    Args:
+        points: Shape (n, 2).
+        point: The other.
+    """
+    best, least = 0, np.inf
+    for i in range(len(points)):
+        dx, dy = points[i, 0] - point[0], points[i, 1] - point[1]
+        if dx * dx + dy * dy < least:
+            best, least = i, dx * dx + dy * dy
+    return best
+
+
+@njit(cache=True)
 def line_is_free(
     free: NDArray[np.bool_], start: tuple[float, float], end: tuple[float, float]
 ) -> bool:

@@ -44,19 +44,31 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     """
     n = position.shape[0]
     count = np.zeros((n, n), np.int64)
-    for i in range(n):
-        for j in range(i + 1, n):
-            for k in range(segments.shape[0]):
-                if crosses(
-                    position[i, 0],
-                    position[i, 1],
-                    position[j, 0],
-                    position[j, 1],
-                    segments[k],
-                ):
-                    count[i, j] += 1
-            count[j, i] = count[i, j]
+    recount(count, position, np.ones(n, np.bool_), segments)
     return count
+
+
+@njit(cache=True)
+def recount(
+    count: NDArray[np.int64], position: Array, moved: Mask, segments: Array
+) -> None:
+    """Brings `crossings` up to date after some have moved.
+
+    Args:
+        count: Shape (n, n); changed in place.
+        position: Shape (n, 2) [m].
+        moved: Who has moved, shape (n,).
+        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+    """
+    for i in range(len(position)):
+        ax, ay = position[i, 0], position[i, 1]
+        for j in range(i + 1, len(position)):
+            if moved[i] or moved[j]:
+                bx, by = position[j, 0], position[j, 1]
+                found = 0
+                for k in range(len(segments)):
+                    found += crosses(ax, ay, bx, by, segments[k])
+                count[i, j] = count[j, i] = found
 
 
 @njit(cache=True)
