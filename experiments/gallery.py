@@ -37,7 +37,7 @@ def take(scenario: str, path: Path) -> None:
                 for agent in env.agents
             }
         )
-    imsave(path, env.render())
+    imsave(path, np.asarray(env.render()))
     env.close()
 
 

@@ -23,7 +23,7 @@ def connect(address: str, workers: int) -> tuple[Client, int]:
     return client, sum(client.nthreads().values()) or workers
 
 
-class DaskExecutor(ClientExecutor):  # type: ignore[misc]  # Dask is untyped
+class DaskExecutor(ClientExecutor):
     """Dask's own executor; Dask runs again by itself what a dead worker held."""
 
     def __init__(self, client: Client) -> None:
