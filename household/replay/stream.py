@@ -5,7 +5,7 @@ and in the modules beside this one, and nowhere else.
 """
 
 import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +41,7 @@ class Stream:
         self._recording: rr.RecordingStream | None = rr.RecordingStream(
             kind, send_properties=False
         )
+        self._watched = watch is not None
         sinks: list[Any] = [] if watch is None else [rr.GrpcSink(watch)]
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -108,18 +109,28 @@ class Stream:
 
     def flush(self) -> None:
         """Makes sure that all that was sent has arrived."""
-        self.recording.flush()
+        self._despite_viewer(self.recording.flush)
 
     def close(self) -> None:
         """Ends the recording and frees what it holds; the file is whole then."""
         import rerun_bindings
 
         if self._recording is not None:
-            self._recording.flush()
-            self._recording.disconnect()
-            self._recording = None
+            recording, self._recording = self._recording, None
+            self._despite_viewer(recording.flush)
+            self._despite_viewer(recording.disconnect)
+            del recording
             # Each closed stream would otherwise keep two threads for good.
-            rerun_bindings.flush_and_cleanup_orphaned_recordings()
+            cleanup = rerun_bindings.flush_and_cleanup_orphaned_recordings
+            self._despite_viewer(cleanup)
+
+    def _despite_viewer(self, action: Callable[[], object]) -> None:
+        """Whoever closes the viewer ends the watching, not the episode or its file."""
+        try:
+            action()
+        except RuntimeError:
+            if not self._watched:
+                raise
 
 
 def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":

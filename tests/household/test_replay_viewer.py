@@ -9,6 +9,7 @@ import pytest
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes
 from household.replay.process import address, free_ports, start_viewer
+from household.replay.reading import read_replay
 from household.replay.viewer import choose, recordings, view
 
 DRIVERS = tuple(Path("/usr/share/vulkan/icd.d").glob("lvp_icd*.json"))
@@ -32,7 +33,13 @@ VIEWS = {
 def until(true, seconds=60.0):
     """Waits until something holds; viewers start slowly on a busy machine."""
     end = time.monotonic() + seconds
-    while not true():
+    while True:
+        try:
+            if true():
+                return
+        except Exception:  # Rerun's client has no errors of its own to name here.
+            if time.monotonic() > end:
+                raise
         assert time.monotonic() < end, "waited too long"
         time.sleep(0.1)
 
@@ -47,20 +54,16 @@ def viewer(monkeypatch, tmp_path):
     (port,) = free_ports(1)
 
     def connected():
-        try:
-            clients.append(ViewerClient.connect(address(port)))
-            clients[-1].get_state()
-        except (ConnectionError, RuntimeError):
-            return False
-        return True
+        clients.append(ViewerClient.connect(address(port)))
+        return clients[-1].get_state() is not None
 
     clients = []
     process = start_viewer("--headless", f"--port={port}", "--window-size=1280x720")
     try:
         until(connected)
-        yield clients[-1], address(port)
+        yield clients[-1], address(port), process
     finally:
-        process.terminate()
+        process.kill()
         process.wait(20)
 
 
@@ -78,7 +81,7 @@ def complaints(state):
 
 @needs_driver
 def test_the_viewer_shows_every_view_without_a_complaint(viewer, busy_home, tmp_path):
-    client, _ = viewer
+    client, _, _ = viewer
     env = RecordEpisodes(busy_home, tmp_path)
     play(env, 40)
     env.close()
@@ -94,12 +97,25 @@ def test_the_viewer_shows_every_view_without_a_complaint(viewer, busy_home, tmp_
 
 @needs_driver
 def test_an_episode_can_be_watched_while_it_goes_on(viewer, busy_home, tmp_path):
-    client, url = viewer
+    client, url, _ = viewer
     env = RecordEpisodes(busy_home, tmp_path, watch=url, flush_every=10)
     play(env, 40)
     until(lambda: client.get_state().active_recording)
     until(lambda: {v.name for v in client.get_state().views} == VIEWS)
     env.close()
+
+
+@needs_driver
+def test_who_closes_the_viewer_does_not_stop_the_episode(viewer, busy_home, tmp_path):
+    _, url, process = viewer
+    env = RecordEpisodes(busy_home, tmp_path, watch=url, flush_every=10)
+    play(env, 40)
+    process.kill()
+    process.wait(20)
+    for _ in range(40):
+        env.step(dict.fromkeys(env.agents, 1))
+    env.close()
+    assert len(read_replay(tmp_path / "episode_00000.rrd")) == 81
 
 
 def test_replays_are_found_below_a_directory_and_chosen_by_number(tmp_path):
