@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import polars as pl
 
+from experiments.tables import Entry, Table
+
 ACTIVITIES = (
     "entering",
     "working",
@@ -68,6 +70,45 @@ def seeds_reaching(frame: pl.DataFrame, phase: float) -> Mapping[Cell, int]:
     for trial in frame.partition_by("seed"):
         counts.update(reached(trial, phase).keys())
     return counts
+
+
+def table(frame: pl.DataFrame, phase: float) -> Table:
+    """Returns how often each of the 28 situations was reached.
+
+    Args:
+        frame: The table of a study, of one condition.
+        phase: When the roles are inverted. [s]
+    """
+    counts, seeds = reached(frame, phase), seeds_reaching(frame, phase)
+    n = frame["seed"].n_unique()
+    columns = [(reader, attends) for reader in PEOPLE for attends in (True, False)]
+
+    def entry(cell: Cell) -> Entry:
+        said = f"{counts.get(cell, 0) / n:.1f} ({seeds.get(cell, 0)})"
+        return Entry(text=said, shade=seeds.get(cell, 0) / n)
+
+    return Table(
+        name="situations",
+        title="The 28 situations: how often each is reached",
+        header=(
+            "the other is",
+            *(
+                f"{reader} reads, the other {'attends' if attends else 'does not'}"
+                for reader, attends in columns
+            ),
+        ),
+        rows=tuple(
+            (
+                activity,
+                tuple(entry(Cell(one, activity, looks)) for one, looks in columns),
+            )
+            for activity in ACTIVITIES
+        ),
+        note=(
+            "History entries per seed, and in brackets in how many seeds the situation "
+            f"is reached at all (of {n})."
+        ),
+    )
 
 
 def _cell(situation: str, asked: str) -> Cell | None:

@@ -92,5 +92,6 @@ EXPERIMENT = Experiment(
         figure("figure_6_immediate", IMMEDIATE, "Control: immediate credit"),
     ),
     scenes=SCENES,
+    tables=(table_1.table,),
     further=CREDIT,
 )

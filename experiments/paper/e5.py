@@ -12,10 +12,11 @@ from experiments.claims import Claim
 from experiments.evaluation import BEYOND, Method
 from experiments.figures import CumulativeReward, TouchesByPhase
 from experiments.measures import Measure, of, of_each
-from experiments.paper.cells import CELLS, reached
+from experiments.paper.cells import CELLS, reached, table
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.paper.table_1 import computed
 from experiments.statistics import FloatArray, mean
+from experiments.tables import Table
 from experiments.trial import Condition
 
 SWAP, ALONE, SKIP = "swap", "no_analogy", "skip_silence"
@@ -41,6 +42,10 @@ def gain(trial: pl.DataFrame) -> float:
 def _reached(frame: pl.DataFrame) -> FloatArray:
     met = reached(frame.filter(pl.col("condition") == SWAP), PHASE)
     return np.array([met[cell] > 0 for cell in CELLS], dtype=np.float64)
+
+
+def _situations(frame: pl.DataFrame) -> Table:
+    return table(frame.filter(pl.col("condition") == SWAP), PHASE)
 
 
 def _share(number: int, measure: Measure) -> Method:
@@ -162,6 +167,7 @@ EXPERIMENT = Experiment(
         _figure("figure_7", SWAP, "With analogy"),
         _figure("figure_7_no_analogy", ALONE, "Control: without analogy"),
     ),
+    tables=(_situations,),
     further=(
         _share(1, first_phase),
         _share(2, second_phase),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -15,6 +16,7 @@ from experiments.figures import Cell, Column, CumulativeReward, Row, TouchFreque
 from experiments.figures.rows import legend_above
 from experiments.runner import run_trial
 from experiments.scenes import Scene
+from experiments.tables import Table
 from experiments.trial import Condition, Study
 
 if TYPE_CHECKING:
@@ -101,6 +103,9 @@ class Experiment:
 
     scenes: tuple[Scene, ...] = ()
     """The situations to be learned, for the analysis of the Q-table."""
+
+    tables: tuple[Callable[[pl.DataFrame], Table], ...] = ()
+    """What else is shown: each takes the study's table."""
 
     further: tuple[Method, ...] = ()
     """What else tells how well a condition did, beside what every experiment has."""

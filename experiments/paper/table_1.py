@@ -8,6 +8,7 @@ import numpy as np
 import polars as pl
 
 from experiments.statistics import Estimate, FloatArray
+from experiments.tables import Entry, Table
 from learners.credit import Designated
 from learners.experience import Experience, Feedback
 from learners.heuristics import BeforeApproach, Heuristic, MostRecent
@@ -87,6 +88,51 @@ def agreement(frame: pl.DataFrame) -> FloatArray:
     found = np.concatenate(columns()).round(3)
     same: FloatArray = (found == np.round(printed, 3)).astype(np.float64)
     return same
+
+
+def table(frame: pl.DataFrame) -> Table:
+    """Returns Table 1 as printed and as it comes out here.
+
+    Args:
+        frame: Not looked at.
+    """
+    classic, heuristic = columns()
+    rows = [
+        (
+            f"({line.situation}, {line.action})",
+            tuple(
+                Entry(text=text)
+                for text in (
+                    f"{line.seconds:+.0f} s",
+                    f"{line.classic:.3f}",
+                    f"{found_classic:.3f}",
+                    f"{line.heuristic:.3f}",
+                    f"{found_heuristic:.3f}",
+                )
+            ),
+        )
+        for line, found_classic, found_heuristic in zip(
+            LINES, classic, heuristic, strict=True
+        )
+    ]
+    return Table(
+        name="table_1",
+        title="Table 1: what each pair of the history gets of a tap",
+        header=(
+            "situation, action",
+            "from the designated",
+            "classic: paper",
+            "here",
+            "heuristic: paper",
+            "here",
+        ),
+        rows=tuple(rows),
+        note=(
+            "The tap is meant for (5, 0). The paper does not print the constants: "
+            f"sigma_stm {SIGMA_STM} s, sigma_rwd {SIGMA_RWD}, r = -1 and two "
+            "transition probabilities (11/26 and 1/10) are inferred from the table itself."
+        ),
+    )
 
 
 def computed(values: FloatArray) -> Estimate:
