@@ -44,31 +44,57 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     """
     n = position.shape[0]
     count = np.zeros((n, n), np.int64)
-    recount(count, position, np.ones(n, np.bool_), segments)
+    for i in range(n):
+        for j in range(i + 1, n):
+            count[i, j] = count[j, i] = _between(position, i, j, segments)
     return count
 
 
 @njit(cache=True)
-def recount(
-    count: NDArray[np.int64], position: Array, moved: Mask, segments: Array
+def _between(position: Array, i: int, j: int, segments: Array) -> int:
+    """How many segments stand between two entities."""
+    ax, ay = position[i, 0], position[i, 1]
+    bx, by = position[j, 0], position[j, 1]
+    count = 0
+    for k in range(len(segments)):
+        count += crosses(ax, ay, bx, by, segments[k])
+    return count
+
+
+@njit(cache=True)
+def separate(
+    before: Array,
+    position: Array,
+    walls: Array,
+    tall: Array,
+    wall_loss: float,
+    hidden: NDArray[np.int64],
+    loss: Array,
 ) -> None:
-    """Brings `crossings` up to date after some have moved.
+    """Brings up to date what stands between those pairs of which one has moved.
 
     Args:
-        count: Shape (n, n); changed in place.
-        position: Shape (n, 2) [m].
-        moved: Who has moved, shape (n,).
-        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+        before: Where everybody was when this was last done, shape (n, 2) [m].
+        position: Where everybody is, shape (n, 2) [m].
+        walls: Segments that block sight and dampen sound, shape (m, 4) [m].
+        tall: Segments that block sight alone, shape (k, 4) [m].
+        wall_loss: What one wall takes from a sound [dB].
+        hidden: Opaque segments between each two, (n, n); changed in place.
+        loss: As from `attenuation`, (n, n) [dB]; changed in place.
     """
-    for i in range(len(position)):
-        ax, ay = position[i, 0], position[i, 1]
-        for j in range(i + 1, len(position)):
+    n = len(position)
+    moved = np.zeros(n, np.bool_)
+    for i in range(n):
+        moved[i] = not (
+            before[i, 0] == position[i, 0] and before[i, 1] == position[i, 1]
+        )
+    for i in range(n):
+        for j in range(i + 1, n):
             if moved[i] or moved[j]:
-                bx, by = position[j, 0], position[j, 1]
-                found = 0
-                for k in range(len(segments)):
-                    found += crosses(ax, ay, bx, by, segments[k])
-                count[i, j] = count[j, i] = found
+                between = _between(position, i, j, walls)
+                loss[i, j] = loss[j, i] = _loss(position, i, j, between * wall_loss)
+                between += _between(position, i, j, tall)
+                hidden[i, j] = hidden[j, i] = between
 
 
 @njit(cache=True)
@@ -170,12 +196,17 @@ def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> 
     loss = np.full((n, n), np.inf)
     for i in range(n):
         for j in range(i + 1, n):
-            dx = position[j, 0] - position[i, 0]
-            dy = position[j, 1] - position[i, 1]
-            away = max(np.sqrt(dx * dx + dy * dy), NEAREST)
-            loss[i, j] = 20.0 * np.log10(away) + wall_loss * walls[i, j]
-            loss[j, i] = loss[i, j]
+            loss[i, j] = loss[j, i] = _loss(position, i, j, wall_loss * walls[i, j])
     return loss
+
+
+@njit(cache=True)
+def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
+    """What a sound loses between two entities [dB]."""
+    dx = position[j, 0] - position[i, 0]
+    dy = position[j, 1] - position[i, 1]
+    away = max(np.sqrt(dx * dx + dy * dy), NEAREST)
+    return 20.0 * np.log10(away) + through_walls
 
 
 @njit(cache=True)

@@ -39,9 +39,7 @@ class Senses:
         """Begins a new episode: nobody has perceived anything yet."""
         n = self._n
         self._position = np.full((n, 2), np.nan)
-        # Walls and sides of tall furniture between each two.
-        self._crossed = np.zeros((n, n), dtype=np.int64)
-        self._behind = np.zeros((n, n), dtype=np.int64)
+        self._hidden = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.angle = np.zeros((n, n))
         self.attention = np.zeros((n, n))
@@ -94,16 +92,17 @@ class Senses:
         )
 
     def _look_for_walls(self, position: Array) -> None:
-        """What stands between everybody, anew only when somebody has moved."""
-        moved = (position != self._position).any(axis=1)
-        if moved.any():
-            self._position = position.copy()
-            kernel.recount(self._crossed, position, moved, self._walls)
-            kernel.recount(self._behind, position, moved, self._tall)
-            self._hidden = self._crossed + self._behind
-            self.loss = kernel.attenuation(
-                position, self._crossed, self._model.wall_loss
-            )
+        """What stands between everybody; anew only where somebody has moved."""
+        kernel.separate(
+            self._position,
+            position,
+            self._walls,
+            self._tall,
+            self._model.wall_loss,
+            self._hidden,
+            self.loss,
+        )
+        self._position = position.copy()
 
     def nothing_between(self, one: Point, other: Point) -> bool:
         """Whether no wall or closed door stands between two points.
