@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from household.home.raster import size_of
-from household.replay.scenery import LANE, WINDOW, lanes_of, names_of, second
+from household.replay.scenery import LANE, MOST_ROWS, WINDOW, lanes_of, names_of, second
 from household.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -74,12 +74,13 @@ def _attention(scenario: Scenario) -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
     n = len(names_of(scenario))
+    names = 0.2 * n if n <= MOST_ROWS else 0.0
     return rrb.Spatial2DView(
         origin="/attention",
         name="Attention: row looks at column",
         background=PAPER,
         visual_bounds=rrb.VisualBounds2D(
-            x_range=[-0.2 * n - 1, n + 0.3], y_range=[-1.0, n + 0.5]
+            x_range=[-1 - names, 1.05 * n], y_range=[-1.0, n + 0.5]
         ),
     )
 
