@@ -17,7 +17,7 @@ with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
     main(["--help"])
 """
 
-DECISIONS = 400
+DECISIONS = 1500
 """In each of the trials."""
 
 

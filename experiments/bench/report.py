@@ -57,9 +57,27 @@ def document(measures: Iterable[Measure], settings: Settings) -> dict[str, Any]:
 
 
 def write(measures: Sequence[Measure], settings: Settings, out: Path) -> None:
-    """Writes bench.json and bench.svg."""
+    """Writes bench.json, bench.md and bench.svg."""
     write_text(out / "bench.json", to_json(document(measures, settings)))
+    write_text(out / "bench.md", markdown(measures))
     write_whole(out / "bench.svg", lambda path: _plot(measures, path))
+
+
+def markdown(measures: Iterable[Measure]) -> str:
+    """Returns the table for the docs, with the machine below it."""
+    lines = ["| what | median | least | most | budget | |", "|" + " --- |" * 6]
+    for part, found in _by_part(measures).items():
+        lines.append(f"| **{part}** | | | | | |")
+        lines += [f"| {' | '.join(_cells(each)).strip()} |" for each in found]
+    told = [f"{name}: {value}" for name, value in machine().items()]
+    return "\n".join([*lines, "", "; ".join(told) + ".", ""])
+
+
+def _by_part(measures: Iterable[Measure]) -> dict[str, list[Measure]]:
+    parts: dict[str, list[Measure]] = {}
+    for each in measures:
+        parts.setdefault(each.part, []).append(each)
+    return parts
 
 
 def table(measures: Iterable[Measure]) -> Table:
@@ -67,10 +85,7 @@ def table(measures: Iterable[Measure]) -> Table:
     from rich.table import Table
 
     shown = Table("", "median", "least", "most", "budget", "")
-    parts: dict[str, list[Measure]] = {}
-    for each in measures:
-        parts.setdefault(each.part, []).append(each)
-    for part, found in parts.items():
+    for part, found in _by_part(measures).items():
         shown.add_section()
         shown.add_row(part, style="bold")
         for each in found:

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 BEINGS = 6
 """Four people and two robots, as many as the peers move."""
 
+STEPS_PER_WRITE = 2000
+"""Steps between writes to a replay file, for 100 steps in a repetition."""
+
 OURS = "household, 4 people + 2 robots"
 MPE2 = "mpe2 simple_spread_v3"
 
@@ -112,12 +115,11 @@ def recording(settings: Settings) -> Iterator[Measure]:
     """Yields what a replay file adds to a step."""
     from household.replay.wrapper import RecordEpisodes
 
+    calls = settings.steps * STEPS_PER_WRITE // 100
     with TemporaryDirectory() as folder:
-        recorder = RecordEpisodes(
-            _evening(), Path(folder), flush_every=max(settings.steps // 2, 1)
-        )
+        recorder = RecordEpisodes(_evening(), Path(folder), flush_every=calls)
         subjects = {"plain": Stepping(_evening()), "recorded": Stepping(recorder)}
-        times = alternate(subjects, settings.repetitions, settings.steps)
+        times = alternate(subjects, settings.repetitions, calls)
         recorder.close()
     yield Measure(
         part="recording",

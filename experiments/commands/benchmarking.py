@@ -22,7 +22,7 @@ class Bench:
     """
 
     out: Path = Path("runs/bench")
-    """Directory for bench.json and bench.svg."""
+    """Directory for bench.json, bench.md (the table) and bench.svg (the growth)."""
 
     repetitions: int = 7
     """Of every measurement; the median counts."""
@@ -45,7 +45,7 @@ class Bench:
 
 
 def measure_all(settings: Settings, out: Path) -> None:
-    """Measures everything, writes bench.json and bench.svg, and shows the table."""
+    """Measures everything, writes it down and shows the table."""
     from experiments.bench import report
 
     console = new_console()
@@ -57,7 +57,7 @@ def measure_all(settings: Settings, out: Path) -> None:
     console.print(report.table(measures))
     for name, value in report.machine().items():
         console.print(f"{name}: {value}")
-    console.print(f"{out / 'bench.json'}, {out / 'bench.svg'}")
+    console.print(f"{out}: bench.json, bench.md, bench.svg")
 
 
 def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
