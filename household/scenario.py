@@ -63,7 +63,8 @@ class PersonSpec(Record, frozen=True, kw_only=True):
 
     Attributes:
         name: Unique in the scenario.
-        persona: Name of a shipped persona, a TOML path, or the record itself.
+        persona: Name of a shipped persona, a TOML path (from the folder of the
+            scenario's file), or the record itself.
         start: Where the person begins [m]; None: in its first place.
         script: What the person does, line by line, over and over.
         schedule: What the person does by chance, by place; begins with the first.
@@ -138,7 +139,8 @@ class Scenario(Record, frozen=True, kw_only=True):
     """A household and what happens in it.
 
     Attributes:
-        home: Name of a shipped home, a TOML path, or the floor plan itself.
+        home: Name of a shipped home, a TOML path (from the folder of the scenario's
+            file), or the floor plan itself.
         max_cycles: Decisions in an episode.
         decision_period: Time between the robots' decisions [s].
         steering_period: Time between looks at where everybody walks [s].
@@ -228,9 +230,30 @@ def read_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scena
         origin, fields = scenario.name, msgspec.structs.asdict(scenario)
     else:
         path = locate(str(scenario), "scenarios", "scenario")
-        origin, fields = str(path), read_toml(path)
+        origin, fields = str(path), _from_its_folder(read_toml(path), path.parent)
     # As plain data, so that overrides are checked like what stands in a file.
     return convert(msgspec.to_builtins(fields | overrides), Scenario, origin)
+
+
+def _from_its_folder(fields: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Files that a scenario names are sought from where its own file lies."""
+
+    def placed(name: object) -> object:
+        is_file = isinstance(name, str) and name.endswith(".toml")
+        return str(folder / str(name)) if is_file else name
+
+    for record, field in ((fields, "home"), *((p, "persona") for p in _people(fields))):
+        if field in record:
+            record[field] = placed(record[field])
+    return fields
+
+
+def _people(fields: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tables of people, where the file has them in the right form."""
+    people = fields.get("people")
+    return (
+        [p for p in people if isinstance(p, dict)] if isinstance(people, list) else []
+    )
 
 
 def wrong_fields(scenario: str | Path) -> tuple[str, ...]:

@@ -1,6 +1,7 @@
 """Bad input: one line that names the file, the path in it and what is allowed."""
 
 import re
+import textwrap
 
 import pytest
 
@@ -482,3 +483,24 @@ def test_an_override_is_checked_like_what_stands_in_a_file(override, value, hint
         load_scenario("experiment_1", **{override: value})
     assert hint in str(caught.value)
     assert str(caught.value).isprintable()
+
+
+def test_files_that_a_scenario_names_are_sought_from_its_own_folder(
+    tmp_path, monkeypatch
+):
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "her.toml").write_text('name = "her"\npraise = 0.25\n')
+    (folder / "here.toml").write_text(shipped("home/homes")["studio"].read_text())
+    scenario = """
+        name = "mine"
+        home = "here.toml"
+        behaviors = ["play", "sleep"]
+        people = [{ name = "ann", persona = "her.toml" }]
+        robots = [{ position = [3.2, 2.4] }]
+    """
+    (folder / "mine.toml").write_text(textwrap.dedent(scenario))
+    monkeypatch.chdir(tmp_path)
+    loaded = load_scenario("mine/mine.toml")
+    assert loaded.plan.name == "studio"
+    assert loaded.personas[0].praise == 0.25
