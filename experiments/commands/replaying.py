@@ -19,10 +19,10 @@ class Replay:
     web: bool = False
     """Show it in a browser on this machine, where there is no screen for the viewer."""
 
-    film: Annotated[Path | None, arg(metavar="FILE.mp4")] = None
+    video: Annotated[Path | None, arg(metavar="FILE.mp4")] = None
     """Make a film instead of opening the viewer."""
 
-    picture: Annotated[Path | None, arg(metavar="FILE.png")] = None
+    png: Annotated[Path | None, arg(metavar="FILE.png")] = None
     """Draw the last moment instead of opening the viewer."""
 
     def run(self) -> None:
@@ -30,11 +30,11 @@ class Replay:
         from household.replay.viewer import choose, view, write_png
 
         path = choose(self.path)
-        if self.film:
-            _film(path, self.film)
-        if self.picture:
-            write_png(path, self.picture)
-        if not (self.film or self.picture):
+        if self.video:
+            _film(path, self.video)
+        if self.png:
+            write_png(path, self.png)
+        if not (self.video or self.png):
             view(path, web=self.web)
 
 

@@ -67,13 +67,13 @@ class Train:
 
     def _live(self, console: Console, trial: Trial) -> None:
         from experiments.progress import Steps, progress
-        from experiments.replays import Replay
         from experiments.results import write_whole
         from experiments.rows import Rows
         from experiments.runner import play
+        from policies.recording import RecordingObserver
 
         rows = Rows()
-        replay = Replay(self.out / "replay.rrd", watch=self.watch)
+        replay = RecordingObserver(self.out / "replay.rrd", watch=self.watch)
         with progress(console, "decisions", self.decisions) as advance:
             robots = play(trial, [rows, replay, Steps(advance)])
         write_whole(self.out / "trial.parquet", rows.frame().write_parquet)
