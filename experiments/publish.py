@@ -24,6 +24,13 @@ from experiments.paper import EXPERIMENTS, Experiment, comparison
 from experiments.replays import record
 from experiments.report import write_report
 from experiments.results import Results, make_directory, to_json, write_text
+from experiments.studies_shown import (
+    FactorialShown,
+    SensitivityShown,
+    shown_factorial,
+    shown_sensitivity,
+)
+from experiments.tables import Table
 from experiments.trial import Study, Trial
 
 
@@ -46,9 +53,13 @@ class Reproduced:
     document: dict[str, Any]
     """The content of `study.json`."""
 
+    frame: pl.DataFrame
+    """The study's table."""
+
     findings: tuple[Finding, ...]
     evaluations: tuple[Evaluation, ...]
     drawn: tuple[Drawn, ...]
+    tables: tuple[Table, ...]
     typical_seed: int
     replay: Path
 
@@ -61,6 +72,8 @@ class Published:
     unfinished: tuple[str, ...]
     """One sentence for each experiment that was left out."""
 
+    factorial: tuple[FactorialShown, ...]
+    sensitivity: SensitivityShown | None
     claims_file: Path
     report_file: Path
 
@@ -86,6 +99,10 @@ def publish(out: Path) -> Published:
     published = Published(
         reproduced=reproduced,
         unfinished=unfinished,
+        factorial=shown_factorial(out),
+        sensitivity=shown_sensitivity(
+            out, {part.experiment.number: part.frame for part in reproduced}
+        ),
         claims_file=out / "claims.json",
         report_file=out / "report.html",
     )
@@ -135,6 +152,7 @@ def _analyze(experiment: Experiment, out: Path) -> Reproduced:
         experiment=experiment,
         study=study,
         document=results.read_study(),
+        frame=frame,
         findings=experiment.check(frame),
         evaluations=evaluate(
             frame,
@@ -143,6 +161,7 @@ def _analyze(experiment: Experiment, out: Path) -> Reproduced:
             experiment.further,
         ),
         drawn=tuple(_draw(experiment, frame, out / "figures")),
+        tables=tuple(make(frame) for make in experiment.tables),
         typical_seed=typical,
         replay=replay,
     )

@@ -11,6 +11,7 @@ from experiments.results import to_json, write_text
 
 if TYPE_CHECKING:
     from experiments.publish import Published, Reproduced
+    from experiments.studies_shown import FactorialShown
 
 _TEMPLATES = Path(__file__).parent / "templates"
 
@@ -43,6 +44,9 @@ def _context(published: Published) -> dict[str, Any]:
         "n_holding": sum(ids.values()),
         "unfinished": published.unfinished,
         "parts": [_part(part, root) for part in published.reproduced],
+        "factorial": [_factorial(shown) for shown in published.factorial],
+        "silence": _silence(published.factorial),
+        "sensitivity": published.sensitivity,
         "session": published.reproduced[-1].document["sessions"][-1],
         "words": wording,
     }
@@ -58,6 +62,7 @@ def _part(part: Reproduced, root: Path) -> dict[str, Any]:
             for figure in part.drawn
         },
         "methods": _methods(part),
+        "tables": part.tables,
         "n_seeds": len(part.study.seeds),
         "seeds": _ranges(part.study.seeds),
         "typical_seed": part.typical_seed,
@@ -73,9 +78,47 @@ def _claims(findings: tuple[Finding, ...]) -> list[dict[str, Any]]:
     for finding in sorted(findings, key=lambda one: one.claim.id):
         claim = finding.claim
         entry = {"id": claim.id, "text": claim.text, "reading": claim.reading}
-        rows = claims.setdefault(claim.id, entry | {"rows": []})["rows"]
-        rows.append((finding, _scale(finding)))
+        known = claims.setdefault(claim.id, entry | {"rows": [], "compared": []})
+        known["rows"].append((finding, _scale(finding)))
+        known["compared"] += _compared(finding)
     return list(claims.values())
+
+
+def _compared(finding: Finding) -> list[dict[str, str]]:
+    """Returns what was measured on other conditions, in words."""
+    share = wording.is_share(finding)
+    return [
+        {
+            "condition": name,
+            "value": wording.number(estimate.value, is_share=share),
+            "interval": wording.interval(estimate, is_share=share),
+        }
+        for name, estimate in finding.compared.items()
+    ]
+
+
+def _factorial(shown: FactorialShown) -> dict[str, Any]:
+    return {
+        "shown": shown,
+        "rows": [(one, _scale(one)) for one in (*shown.findings, *shown.silence)],
+    }
+
+
+def _silence(factorial: tuple[FactorialShown, ...]) -> dict[str, list[int]]:
+    """Returns on which experiments the social rate is better than skip_silence.
+
+    Judged at the paper's levels of the other factors, by the whole interval.
+    """
+    verdicts: dict[str, list[int]] = {"better": [], "worse": [], "neither": []}
+    for shown in factorial:
+        estimate = shown.silence[0].estimate
+        sign = "neither"
+        if estimate.low > 0:
+            sign = "better"
+        elif estimate.high < 0:
+            sign = "worse"
+        verdicts[sign].append(shown.number)
+    return verdicts
 
 
 def _methods(part: Reproduced) -> list[dict[str, Any]]:
@@ -100,7 +143,7 @@ def _scale(finding: Finding) -> dict[str, Any]:
     points = [estimate.low, estimate.high, estimate.value, threshold, 0.0]
     known = [point for point in points if point == point]
     low, high = min(known), max(known)
-    if wording.is_share(finding):
+    if wording.is_share(finding) and low >= 0.0:
         low, high = 0.0, 1.0
     width = (high - low) or 1.0
 

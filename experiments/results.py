@@ -15,6 +15,7 @@ import platform
 import subprocess
 import traceback
 from collections.abc import Callable, Iterable
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -223,6 +224,7 @@ def versions() -> dict[str, str]:
     return found
 
 
+@cache
 def commit() -> str | None:
     """Returns the git commit this code is at, `+` if it was changed, None if none."""
     here = Path(__file__).parent

@@ -17,9 +17,14 @@ def number(value: float, *, is_share: bool) -> str:
     if isnan(value):
         return "unknown"
     if is_share:
-        return f"{100 * value:.0f} %"
-    digits = 2 if abs(value) < 10 else 1
-    return f"{value:.{digits}f}".replace("-", "\N{MINUS SIGN}")
+        return f"{_plain(100 * value, 0)} %"
+    return _plain(value, 2 if abs(value) < 10 else 1)
+
+
+def _plain(value: float, digits: int) -> str:
+    # Adding 0.0 turns a rounded -0.0 into 0.0.
+    rounded = round(value, digits) + 0.0
+    return f"{rounded:.{digits}f}".replace("-", "\N{MINUS SIGN}")
 
 
 def interval(estimate: Estimate, *, is_share: bool) -> str:

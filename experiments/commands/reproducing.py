@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from experiments.paper import Experiment
+    from experiments.trial import Study
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,6 +36,15 @@ class Reproduce:
 
     out: Path = Path("runs/paper")
     """Directory for everything that comes out."""
+
+    factorial: bool = False
+    """Also run every learning rate with every credit rule and every analogy."""
+
+    sensitivity: bool = False
+    """Also run each experiment with each constant a quarter smaller and larger."""
+
+    sensitivity_seeds: int | None = None
+    """Trials per condition there; as many as --seeds if not given, and no more."""
 
     workers: int | None = None
     """Processes on this machine; one for each core if not given."""
@@ -62,9 +72,30 @@ class Reproduce:
         ]
         if self.seeds < 1:
             raise ExperimentError(f"--seeds must be at least 1, got {self.seeds}.")
+        asked = self.sensitivity_seeds
+        if asked is not None and not 1 <= asked <= self.seeds:
+            raise ExperimentError(
+                f"--sensitivity-seeds must be from 1 to --seeds, got {asked}."
+            )
         if self.out.exists() and not self.out.is_dir():
             raise ExperimentError(f"--out {self.out}: is a file, must be a directory.")
         return select(numbers)
+
+    def _studies(self, experiments: tuple[Experiment, ...]) -> list[Study]:
+        from experiments.paper import factorial, sensitivity
+
+        seeds = tuple(range(self.seeds))
+        studies = [each.study(seeds) for each in experiments]
+        if self.factorial:
+            studies += [factorial.study(each.number, seeds) for each in experiments]
+        if self.sensitivity:
+            fewer = seeds[: self.sensitivity_seeds]
+            studies += [
+                variant.study(fewer)
+                for variant in sensitivity.variants(experiments)
+                if variant.conditions
+            ]
+        return studies
 
     def _run_missing(
         self, console: Console, experiments: tuple[Experiment, ...]
@@ -74,7 +105,7 @@ class Reproduce:
         from experiments.reproduce import prepare, run
 
         engine = open_engine(self.engine, self.workers)
-        studies = [each.study(tuple(range(self.seeds))) for each in experiments]
+        studies = self._studies(experiments)
         jobs = prepare(studies, self.out)
         total = sum(len(study.trials()) for study in studies)
         stored = f"{total - len(jobs)} of {total} trials are stored already."

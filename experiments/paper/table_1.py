@@ -130,7 +130,7 @@ def table(frame: pl.DataFrame) -> Table:
         note=(
             "The tap is meant for (5, 0). The paper does not print the constants: "
             f"sigma_stm {SIGMA_STM} s, sigma_rwd {SIGMA_RWD}, r = -1 and two "
-            "transition probabilities (11/26 and 1/10) are inferred from the table itself."
+            "transition probabilities (11/26 and 1/10) are inferred from the table."
         ),
     )
 
