@@ -161,7 +161,8 @@ def _right_share(scene: Scene) -> Measure:
 
 def _final_q(scene: Scene, behavior: str) -> Measure:
     def measure(trial: pl.DataFrame) -> float:
-        return measures.final_q(trial, scene.find(trial)).get(behavior, 0.0)
+        _, values = measures.q_curve(trial, scene.find(trial), behavior)
+        return float(values[-1]) if len(values) else 0.0
 
     return measure
 

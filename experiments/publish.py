@@ -10,17 +10,20 @@ DIR/report.html                           all of it, in one file
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import polars as pl
 
-from experiments import figures, measures
+from experiments import measures
 from experiments.claims import Finding
+from experiments.drawing import Drawn, draw, stored_study
+from experiments.engine import open_engine
 from experiments.errors import ExperimentError
 from experiments.evaluation import Evaluation, evaluate
-from experiments.paper import EXPERIMENTS, Experiment, comparison
+from experiments.paper import EXPERIMENTS, Experiment
 from experiments.replays import record
 from experiments.report import write_report
 from experiments.results import Results, make_directory, to_json, write_text
@@ -32,16 +35,6 @@ from experiments.studies_shown import (
 )
 from experiments.tables import Table
 from experiments.trial import Study, Trial
-
-
-@dataclass(frozen=True, kw_only=True)
-class Drawn:
-    """A figure: its files and what stands in the report."""
-
-    name: str
-    caption: str
-    svgs: tuple[str, ...]
-    files: tuple[Path, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,7 +88,7 @@ def publish(out: Path) -> Published:
     finished, unfinished = _finished(out)
     make_directory(out / "figures")
     make_directory(out / "replays")
-    reproduced = tuple(_analyze(experiment, out) for experiment in finished)
+    reproduced = _reproduced(finished, out)
     published = Published(
         reproduced=reproduced,
         unfinished=unfinished,
@@ -112,13 +105,24 @@ def publish(out: Path) -> Published:
     return published
 
 
+def _reproduced(experiments: Sequence[Experiment], out: Path) -> tuple[Reproduced, ...]:
+    """Analyzes experiments here, while other processes draw their figures."""
+    executor = open_engine().open()
+    try:
+        drawn = [executor.submit(draw, each.number, out) for each in experiments]
+        pairs = zip(experiments, drawn, strict=True)
+        return tuple(_analyze(each, out, figures) for each, figures in pairs)
+    finally:
+        executor.shutdown(cancel_futures=True)
+
+
 def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
     finished, unfinished = [], []
     for experiment in EXPERIMENTS.values():
         results = Results(out / experiment.name)
         if not results.study_file.exists():
             continue
-        trials = _stored_study(experiment, results).trials()
+        trials = stored_study(experiment, results).trials()
         missing = results.missing(trials)
         if missing:
             unfinished.append(
@@ -133,13 +137,11 @@ def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
     return finished, tuple(unfinished)
 
 
-def _stored_study(experiment: Experiment, results: Results) -> Study:
-    return experiment.study(tuple(results.read_study()["seeds"]))
-
-
-def _analyze(experiment: Experiment, out: Path) -> Reproduced:
+def _analyze(
+    experiment: Experiment, out: Path, drawn: Future[tuple[Drawn, ...]]
+) -> Reproduced:
     results = Results(out / experiment.name)
-    study = _stored_study(experiment, results)
+    study = stored_study(experiment, results)
     frame = results.read(study)
     typical = measures.typical_seed(frame, experiment.reference)
     replay = out / "replays" / f"{experiment.name}_seed_{typical}.rrd"
@@ -160,27 +162,8 @@ def _analyze(experiment: Experiment, out: Path) -> Reproduced:
             experiment.scenes,
             experiment.further,
         ),
-        drawn=tuple(_draw(experiment, frame, out / "figures")),
+        drawn=drawn.result(),
         tables=tuple(make(frame) for make in experiment.tables),
         typical_seed=typical,
         replay=replay,
     )
-
-
-def _draw(experiment: Experiment, frame: pl.DataFrame, folder: Path) -> list[Drawn]:
-    parts = [(f.name, f.caption, f.columns(frame)) for f in experiment.figures]
-    compared = (
-        "All conditions: the sum of all touches, and how many caresses and taps a "
-        "minute brings."
-    )
-    name = f"{experiment.name}_rewards"
-    parts.append((name, compared, comparison(experiment, frame)))
-    return [
-        Drawn(
-            name=name,
-            caption=caption,
-            svgs=figures.inline(columns, name),
-            files=figures.save(columns, folder / name),
-        )
-        for name, caption, columns in parts
-    ]

@@ -152,6 +152,8 @@ def _lay_out(columns: Sequence[Column]) -> Figure:
         grid[-1, index].set_xlabel("time [min]")
         grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.align_ylabels()
+    figure.draw_without_rendering()  # lays out
+    figure.set_layout_engine("none")  # and need not do so for each file again
     return figure
 
 
