@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from experiments.bench.measure import Measure, Settings
 
 IMPORT = "import household"
+ENVIRONMENT = "import household.household_v0"
 HELP = """
 import contextlib, io
 from experiments.cli import main
@@ -25,6 +26,7 @@ def starting(settings: Settings) -> Iterator[Measure]:
     """Yields the processor's time of fresh processes, the interpreter's included."""
     for name, code, most in (
         ("import household", IMPORT, 1.0),
+        ("import household.household_v0", ENVIRONMENT, None),
         ("household --help", HELP, 0.5),
     ):
         yield Measure(

@@ -59,8 +59,10 @@ class Person:
         """An appraisal moves the mood and is remembered for the questionnaire."""
         self.mood = moved_mood(self.mood, judgement.value, self.persona.mood_change)
         robot, value = judgement.robot, judgement.value
-        self.pleased[robot] += max(value, 0.0)
-        self.annoyed[robot] += max(-value, 0.0)
+        if value > 0.0:
+            self.pleased[robot] += value
+        else:
+            self.annoyed[robot] -= value
 
     def calm_down(self, period: float) -> None:
         """A mood fades with time."""
