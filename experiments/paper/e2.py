@@ -12,7 +12,7 @@ from experiments.claims import Claim
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.scenes import Scene
-from experiments.statistics import FloatArray, mean
+from experiments.statistics import FloatArray, mean, proportion
 from experiments.trial import Condition
 
 PLAY = Scene(name="PLAY", role="playing", attended=True)
@@ -119,7 +119,7 @@ CLAIMS = (
                 f"{SOCIAL}, at the end",
                 measures.of(SOCIAL, _ends_positive),
                 0.8,
-                mean,
+                proportion,
                 "share of seeds",
                 measures.of_each(CONTROLS, _ends_positive),
             ),
