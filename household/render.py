@@ -60,7 +60,7 @@ class Painter:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        from household.environment import PERSON_RADIUS, ROBOT_RADIUS
+        from household.life import PERSON_RADIUS, ROBOT_RADIUS
 
         self._pygame = load_pygame()
         self._pygame.font.init()

@@ -101,8 +101,8 @@ def snapshot(home: "Household") -> Snapshot:
 
     Only what the environment changes in place is copied; it makes the rest anew.
     """
-    crowd, senses, robots = home.crowd, home.senses, home.robots
-    everyone, bouts = home.people.everyone, robots.bouts
+    crowd, senses, robots = home.life.crowd, home.life.senses, home.life.robots
+    everyone, bouts = home.life.people.everyone, robots.bouts
     touched = any(robots.feedback)
     return Snapshot(
         decision=home.decision,
@@ -111,7 +111,7 @@ def snapshot(home: "Household") -> Snapshot:
         heading=crowd.heading.copy(),
         gaze=crowd.gaze,
         half_view=np.array([person.half_view for person in everyone]),
-        activity=home.people.activity,
+        activity=home.life.people.activity,
         attends=senses.attends,
         attention=senses.attention,
         mood=np.array([person.mood for person in everyone]),
@@ -127,7 +127,7 @@ def _rewards(robots: Robots) -> Array:
 
 
 def _touches(home: "Household") -> tuple[Touch, ...]:
-    robots = home.robots
+    robots = home.life.robots
     return tuple(
         Touch(robot, feedback, cause)
         for robot, felt, causes in zip(

@@ -69,7 +69,7 @@ def beside_physics(settings: Settings) -> Iterator[Measure]:
 @contextmanager
 def _timed_physics(env: Household, spent: list[float]) -> Iterator[None]:
     """Notes what each call of the engine takes; wall time, which costs least to ask."""
-    space = env.crowd.space
+    space = env.life.crowd.space
     step = space.step
 
     def timed(tick: float) -> None:

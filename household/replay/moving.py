@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES, Activity
-from household.environment import PERSON_RADIUS, ROBOT_RADIUS
+from household.life import PERSON_RADIUS, ROBOT_RADIUS
 from household.perception.cone import RAYS, gaze_cones
 from household.replay.colors import ACTIVITIES, behavior_color, heat, packed
 from household.replay.rows import NAMES, Rows

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from household.activity import ACTIVITY_NAMES
-from household.environment import PERSON_RADIUS, ROBOT_RADIUS
 from household.home.floorplan import FloorPlan
 from household.home.raster import rasterize
+from household.life import PERSON_RADIUS, ROBOT_RADIUS
 from household.replay.colors import (
     ACTIVITIES,
     BELIEVED,

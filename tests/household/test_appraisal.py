@@ -88,7 +88,7 @@ def test_an_appraisal_is_preference_times_strength(household_of):
     """A bark of 85 dB at 5 m: 71 dB, full strength; calling, absorbed: -1."""
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.people.everyone[0]
+    ann = env.life.people.everyone[0]
     env.step({"robot_0": BARK})
     assert list(ann.annoyed) == [1.0]
     assert list(ann.pleased) == [0.0]
@@ -99,7 +99,7 @@ def test_an_appraisal_is_preference_times_strength(household_of):
 def test_a_bout_is_appraised_once_however_long_it_lasts(household_of):
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.people.everyone[0]
+    ann = env.life.people.everyone[0]
     annoyed = []
     for _ in range(6):
         env.step({"robot_0": BARK})
@@ -112,7 +112,7 @@ def test_what_is_neither_seen_nor_heard_is_not_appraised(household_of):
     """She turns her back to a robot that sleeps, which she would like."""
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.people.everyone[0]
+    ann = env.life.people.everyone[0]
     for _ in range(10):
         env.step({"robot_0": SLEEP})
     assert list(ann.pleased) == [0.0]
@@ -125,11 +125,11 @@ def test_what_is_seen_faintly_counts_by_the_share_of_the_attention(household_of)
     people = on_the_phone(mild(), look_at="robot_0")
     env = household_v0.parallel_env(household_of(people=people))
     env.reset(seed=1)
-    ann = env.people.everyone[0]
+    ann = env.life.people.everyone[0]
     env.step({"robot_0": SLEEP})
     share = 0.6 / (1 + 25 / 9) / (0.3 + 0.6 / (1 + 25 / 9))
     assert share == pytest.approx(0.3462, abs=1e-4)
-    attending = bool(env.senses.attends[0, 1])
+    attending = bool(env.life.senses.attends[0, 1])
     table = norm_table(household_norms(), ("bark", "sleep"))
     liked = table[Activity.CALLING, int(attending), SLEEP]
     assert ann.pleased[0] == pytest.approx(2 * share * liked, abs=1e-3)
@@ -172,10 +172,10 @@ def test_a_mood_fades_with_its_time_constant(household_of):
     env = household_v0.parallel_env(household_of(people=on_the_phone(persona)))
     env.reset(seed=1)
     env.step({"robot_0": BARK})
-    after = env.people.everyone[0].mood
+    after = env.life.people.everyone[0].mood
     for _ in range(10):
         env.step({"robot_0": SLEEP})
-    assert env.people.everyone[0].mood == pytest.approx(after / math.e)
+    assert env.life.people.everyone[0].mood == pytest.approx(after / math.e)
 
 
 def test_robots_misread_moods_around_the_truth(household_of):
@@ -186,7 +186,7 @@ def test_robots_misread_moods_around_the_truth(household_of):
     read = []
     while env.agents:
         env.step({"robot_0": SLEEP})
-        read.append(env._moods[0, 0])
+        read.append(env.life.moods[0, 0])
     # The mood is 0: mean and deviation of 2000 draws with a deviation of 0.2.
     assert abs(np.mean(read)) < 4 * 0.2 / math.sqrt(2000)
     assert np.std(read) == pytest.approx(0.2, rel=0.1)

@@ -28,7 +28,13 @@ def episode(random_actions):
             answers = env.step(action)
             names = env.possible_agents
             causes = [env.causes(name) for name in names]
-            yield (*answers, causes, env.state(), env.crowd.position, env.crowd.gaze)
+            yield (
+                *answers,
+                causes,
+                env.state(),
+                env.life.crowd.position,
+                env.life.crowd.gaze,
+            )
             if not env.agents:
                 return
 
@@ -59,7 +65,7 @@ def digest(name):
         actions = {agent: int(rng.integers(len(env.behaviors))) for agent in env.agents}
         answers = env.step(actions)
         causes = [env.causes(agent) for agent in env.possible_agents]
-        world = [env.state(), env.crowd.position, env.crowd.gaze]
+        world = [env.state(), env.life.crowd.position, env.life.crowd.gaze]
         read.update(told([answers, causes, world]).encode())
     return read.hexdigest()
 
@@ -191,7 +197,7 @@ def gazes_and_moods(scenario):
     observations, _ = env.reset(seed=6)
     told = []
     while env.agents:
-        told.append((env.crowd.gaze[0], observations["robot_0"][mood]))
+        told.append((env.life.crowd.gaze[0], observations["robot_0"][mood]))
         observations, *_ = env.step(dict.fromkeys(env.agents, 1))
     return told
 

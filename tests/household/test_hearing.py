@@ -107,10 +107,10 @@ def test_a_bark_next_door_wakes_a_light_sleeper_and_in_the_farthest_room_not(
     env.reset(seed=1)
     for _ in range(5):
         env.step({"robot_0": 1})
-    assert not env.people.everyone[0].intention.eyes_open
+    assert not env.life.people.everyone[0].intention.eyes_open
     env.step({"robot_0": 0})
     # 85 dB less 12.04 and 25 next door: 48; less 18.06 and 50 in the farthest: 17.
-    assert env.people.everyone[0].intention.eyes_open == wakes
+    assert env.life.people.everyone[0].intention.eyes_open == wakes
 
 
 def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_rooms):
@@ -131,7 +131,7 @@ def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_r
         env.reset(seed=1)
         for behavior in (1, 1, 1, 0):
             env.step({"robot_0": behavior})
-        awake[persona] = env.people.everyone[0].intention.eyes_open
+        awake[persona] = env.life.people.everyone[0].intention.eyes_open
     assert awake == {"light_sleeper": True, "paper_actor": False}
 
 
@@ -143,6 +143,6 @@ def test_a_robot_that_is_done_is_silent(household_of):
     heard = []
     for action in ({"robot_0": 0}, {}, {}, {}):
         env.step(action)
-        heard.append(float(env.senses.level[0, 1]))
+        heard.append(float(env.life.senses.level[0, 1]))
     # The robot is 5 m away: 85 - 13.98 dB.
     assert heard == pytest.approx([71.02, 71.02, 0.0, 0.0], abs=0.01)

@@ -37,7 +37,10 @@ def alone_with(household_of):
 def path(env, actions):
     """Where the robot was after each of these actions."""
     return np.array(
-        [(env.step(action), env.crowd.position[-1].copy())[1] for action in actions]
+        [
+            (env.step(action), env.life.crowd.position[-1].copy())[1]
+            for action in actions
+        ]
     )
 
 
@@ -99,7 +102,7 @@ def test_a_dancing_robot_turns(alone_with):
     headings = []
     for _ in range(4):
         env.step({"robot_0": 0})
-        headings.append(env.crowd.heading[-1])
+        headings.append(env.life.crowd.heading[-1])
     np.testing.assert_allclose(np.diff(headings) % (2 * math.pi), math.pi / 2)
 
 
@@ -117,9 +120,9 @@ def test_a_robot_that_follows_comes_to_the_nearest_person_and_stops(alone_with):
     """5 m away at 0.5 m/s: after 9 s it is near, and stays outside of the reach."""
     env = alone_with("follow", "sleep")
     path(env, [{"robot_0": 0}] * 12)
-    gap = math.dist(env.crowd.position[0], env.crowd.position[1])
+    gap = math.dist(env.life.crowd.position[0], env.life.crowd.position[1])
     assert 0.4 < gap <= 0.95
-    assert not env.crowd.walks(1)
+    assert not env.life.crowd.walks(1)
 
 
 def test_a_robot_that_retreats_goes_where_nobody_is(alone_with):
@@ -161,7 +164,7 @@ def test_users_define_their_own_behaviors(alone_with):
     env = alone_with("whistle", "sleep", behavior=own, robot=(3.0, 2.5))
     env.step({"robot_0": 0})
     # 60 dB at 1 m are 53.98 at 2 m.
-    assert env.senses.level[0, 1] == pytest.approx(53.98, abs=0.01)
+    assert env.life.senses.level[0, 1] == pytest.approx(53.98, abs=0.01)
     assert env.behavior("robot_0").ends == 4.0
 
 
@@ -177,11 +180,11 @@ def test_a_robot_never_walks_through_a_wall(household_of, room):
     )
     env.reset(seed=1)
     rng = np.random.default_rng(1)
-    before = env.crowd.position.copy()
+    before = env.life.crowd.position.copy()
     crossed = 0
     while env.agents:
         env.step({agent: int(rng.integers(4)) for agent in env.agents})
-        after = env.crowd.position.copy()
+        after = env.life.crowd.position.copy()
         sides = (before[:, 0] < 4.0) != (after[:, 0] < 4.0)
         # Whoever changes sides does so through the gap from y = 2 to y = 3.
         assert (np.abs(after[sides, 1] - 2.5) < 0.6).all()

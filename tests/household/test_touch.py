@@ -55,7 +55,7 @@ def barked_at(household_of):
             )
             for touch in touches:
                 assert step < touch.time <= step + 1
-                gap = math.dist(env.crowd.position[0], env.crowd.position[-1])
+                gap = math.dist(env.life.crowd.position[0], env.life.crowd.position[-1])
                 assert len(scenario.people) > 1 or gap <= REACH + 1e-6
             felt += touches
         return env, felt
@@ -119,13 +119,13 @@ def test_patience_bounds_the_way(barked_at):
     """4.2 m take 3.5 s; after 2 s she turns back to the phone."""
     env, felt = barked_at(people=(person(patience=2.0),))
     assert felt == []
-    assert math.dist(env.crowd.position[0], (1.0, 2.5)) < 0.3
+    assert math.dist(env.life.crowd.position[0], (1.0, 2.5)) < 0.3
 
 
 def test_after_the_tap_she_goes_back_to_the_phone(barked_at):
     env, felt = barked_at()
     assert len(felt) == 1
-    assert math.dist(env.crowd.position[0], (1.0, 2.5)) < 0.3
+    assert math.dist(env.life.crowd.position[0], (1.0, 2.5)) < 0.3
     assert env.situation("robot_0").plays == (("ann", "calling"),)
 
 

@@ -277,11 +277,11 @@ def test_heads_turn_no_faster_than_they_can_and_the_shorter_way(room, crowd_in):
 
 def test_nobody_begins_inside_anything_solid_or_anybody_else(shipped_scenario):
     env = household_v0.parallel_env(shipped_scenario)
-    n, robots = len(env.people.everyone), len(env.possible_agents)
+    n, robots = len(env.life.people.everyone), len(env.possible_agents)
     radius = np.array([PERSON] * n + [ROBOT] * robots)
     for seed in range(5):
         env.reset(seed=seed)
-        position = env.crowd.position
+        position = env.life.crowd.position
         assert deepest(env.scenario.plan, position, radius) <= OVERLAP
         gap = np.linalg.norm(position[:, None] - position, axis=2)
         touching = radius[:, None] + radius - OVERLAP
@@ -293,20 +293,20 @@ def soak(scenario, decisions):
     """Nobody outdoors, in a wall, or walking on the spot for more than 30 s."""
     env = household_v0.parallel_env(scenario)
     plan = env.scenario.plan
-    n, robots = len(env.people.everyone), len(env.possible_agents)
+    n, robots = len(env.life.people.everyone), len(env.possible_agents)
     radius = np.array([PERSON] * n + [ROBOT] * robots)
     rng = np.random.default_rng(3)
     since, there = np.zeros(n), np.zeros((n, 2))
     for decision in range(decisions):
         if not env.agents:
             env.reset(seed=0 if decision == 0 else None)
-            since[:], there[:] = 0.0, env.crowd.position[:n]
+            since[:], there[:] = 0.0, env.life.crowd.position[:n]
         env.step({a: int(rng.integers(len(env.behaviors))) for a in env.agents})
-        position = env.crowd.position
+        position = env.life.crowd.position
         assert (position > plan.lower).all()
         assert (position < plan.upper).all()
         assert deepest(plan, position, radius) <= OVERLAP
-        walks = np.array([env.crowd.walks(i) for i in range(n)])
+        walks = np.array([env.life.crowd.walks(i) for i in range(n)])
         moved = np.linalg.norm(position[:n] - there, axis=1) > 0.5
         restart = moved | ~walks
         since[restart] = env.time

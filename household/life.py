@@ -1,0 +1,251 @@
+"""Life in a household: what happens between one decision and the next.
+
+`Life` holds everything that exists and moves; it knows nothing of agents, spaces or
+rewards. The environment steps it, and evaluators and replays look at it.
+"""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.crowd import Crowd
+from household.observation import View
+from household.people.appraisal import heard_strength, seen_strength
+from household.people.feedback import Feedback
+from household.people.mind import Wish
+from household.people.people import MakeMinds, People
+from household.perception.senses import Senses
+from household.robots.motion import MOTIONS, Mover
+from household.robots.robots import Robots
+from household.scenario import MOST_PEOPLE, Scenario
+from household.streams import Streams
+
+Array = NDArray[np.float64]
+
+PERSON_RADIUS, ROBOT_RADIUS = 0.25, 0.15
+"""Of the bodies [m]; the robot's is that of a small dog, as the AIBO is."""
+
+PERSON_MASS, ROBOT_MASS = 70.0, 2.0
+"""Of the bodies [kg]; an AIBO weighs about 2 kg."""
+
+ROBOT_SPEED = 0.5
+"""At which robots walk [m/s]."""
+
+ROBOT_HEAD_SPEED = 360.0
+"""How fast robots turn their heads [degrees/s]."""
+
+ROBOT_VIEW = math.radians(120.0) / 2
+"""Half a robot's field of view [rad]."""
+
+
+class Life:
+    """The people and the robots of a household, their bodies and their senses.
+
+    Args:
+        scenario: Who lives where.
+        make_minds: Gives the scenario's people their minds.
+
+    Attributes:
+        people: What they think and intend.
+        robots: What they do and feel.
+        crowd: Everybody's body; people come first and robots after them.
+        senses: Who sees, hears and attends to whom.
+        moods: The people's moods as each robot reads them, (n_robots, n_people).
+        decision: Decisions since the beginning.
+    """
+
+    def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
+        self._scenario = scenario
+        self.people = People(scenario, make_minds)
+        self.robots = Robots(scenario)
+        self.decision = 0
+        personas = [person.persona for person in self.people.everyone]
+        n_people, n_robots = len(personas), len(self.robots.names)
+        self._n_people = n_people
+        self.crowd = Crowd(
+            scenario.plan,
+            radius=np.array([PERSON_RADIUS] * n_people + [ROBOT_RADIUS] * n_robots),
+            mass=np.array([PERSON_MASS] * n_people + [ROBOT_MASS] * n_robots),
+            speed=np.array(
+                [p.walking_speed for p in personas] + [ROBOT_SPEED] * n_robots
+            ),
+            steering_period=scenario.steering_period,
+            physics_period=scenario.physics_period,
+        )
+        self.senses = Senses(scenario.plan, scenario.perception, n_people + n_robots)
+        self._streams = Streams(n_people, n_robots)
+        self._head_turn = np.radians(
+            [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
+        )
+        self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
+        self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
+        self._salience = np.ones(n_people + n_robots)
+        self._source = np.zeros(n_people + n_robots)
+        self._noise = np.zeros((n_robots, MOST_PEOPLE))
+        self._moments = round(scenario.decision_period / scenario.steering_period)
+        self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
+
+    @property
+    def time(self) -> float:
+        """Time since the beginning [s]."""
+        return self.decision * self._scenario.decision_period
+
+    def begin(self, seed: int | None) -> None:
+        """Begins an episode.
+
+        Args:
+            seed: Begins a history of its own; None goes on with the present one.
+        """
+        self.decision = 0
+        self._streams.begin(seed)
+        self.robots.begin()
+        self.senses.forget()
+        people = self.people.begin(self._streams.people)
+        robots = np.array([spec.position for spec in self._scenario.robots])
+        headings = np.radians([spec.heading for spec in self._scenario.robots])
+        self.crowd.place(
+            np.vstack([people, robots]),
+            np.concatenate([np.zeros(len(people)), headings]),
+        )
+        self._look_around(np.full(len(self._head_turn), 2 * np.pi))
+        self._perceive()
+
+    def go_on(self, choices: Mapping[int, int]) -> None:
+        """Lets one decision period pass.
+
+        Robots do what they chose; people walk, look around and touch; everybody
+        perceives; people judge what is new to them and decide what to do next.
+
+        Args:
+            choices: The behavior of each robot, by index; a robot without a choice
+                goes on with what it does.
+        """
+        for robot, behavior in choices.items():
+            self.robots.choose(robot, behavior, self.decision, self.time)
+        self._move_robots()
+        self._walk_and_touch()
+        self.decision += 1
+        self._look_around(self._head_turn * self._scenario.decision_period)
+        self._perceive()
+        judgements = self.people.judge(self.senses, self.robots, self.time)
+        clock = (self.time, self._scenario.decision_period)
+        self.people.decide(self.crowd, self.senses, judgements, clock)
+
+    def _move_robots(self) -> None:
+        """Robots move as their behaviors have it; who is done stands still."""
+        n_people = self._n_people
+        for robot, bout in enumerate(self.robots.bouts):
+            if self.robots.is_over(robot, self.time):
+                self.crowd.halt(n_people + robot)
+                continue
+            mover = Mover(
+                body=n_people + robot,
+                n_people=n_people,
+                begins=bout.decision == self.decision,
+                spots=self.people.places.centers,
+                rng=self._streams.robots[robot],
+                now=self.time,
+                period=self._scenario.decision_period,
+            )
+            self._motions[bout.behavior](mover, self.crowd)
+
+    def _walk_and_touch(self) -> None:
+        """People walk where they intended to and touch robots that they reach."""
+        self.robots.forget_touches()
+        for moment in range(1, self._moments + 1):
+            self.crowd.advance()
+            now = self.time + moment * self._scenario.steering_period
+            for i, wish in self.people.wishes():
+                if self.people.reaches(i, wish, self.crowd, self.senses):
+                    self._touch(i, wish, now)
+
+    def _touch(self, i: int, wish: Wish, now: float) -> None:
+        """A person touches a robot, which feels it and sees who it was."""
+        person, j = self.people.everyone[i], self._n_people + wish.robot
+        feedback = Feedback(
+            giver=person.name,
+            kind=wish.kind,
+            strength=wish.strength,
+            time=now,
+            mood=float(self.moods[wish.robot, i]),
+            attending=bool(self.senses.attends[i, j]),
+            approach_began=_known(self.crowd.walk_began[i]),
+            attention_began=_known(self.senses.attention_began[i, j]),
+        )
+        self.robots.feel(wish.robot, feedback, wish.cause)
+        person.touched = True
+        self.crowd.halt(i)
+
+    def _look_around(self, most: Array) -> None:
+        """Everybody turns its head towards what it wants to look at."""
+        robots = self.crowd.heading[self._n_people :]
+        target = np.concatenate([self.people.gaze_targets(self.crowd), robots])
+        self.crowd.turn_heads(target, most)
+
+    def _perceive(self) -> None:
+        """Everybody sees, hears and attends; robots read moods off faces."""
+        since = self.time - self._scenario.decision_period
+        people, robots = self.people, self.robots
+        n_people = len(people.everyone)
+        people.locate(self.crowd.position[:n_people])
+        self._half_view[:n_people] = [p.half_view for p in people.everyone]
+        self._salience[n_people:] = robots.salience(since)
+        self._source[n_people:] = robots.sources(since)
+        self.senses.perceive(
+            position=self.crowd.position,
+            gaze=self.crowd.gaze,
+            half_view=self._half_view,
+            salience=self._salience,
+            absorption=self._absorption,
+            source=self._source,
+            now=self.time,
+        )
+        moods = np.array([person.mood for person in people.everyone])
+        # Drawn for as many as could be here, so that one more shifts nobody's draws.
+        for rng, drawn in zip(self._streams.robots, self._noise, strict=True):
+            rng.standard_normal(out=drawn)
+        misread = self._scenario.perception.mood_noise * self._noise[:, :n_people]
+        self.moods = np.minimum(np.maximum(moods + misread, -1.0), 1.0)
+
+    def view(self) -> View:
+        """What robots may know of this moment."""
+        n = self._n_people
+        position, senses = self.crowd.position, self.senses
+        return View(
+            offset=position[None, :, :] - position[n:, None, :],
+            activity=self.people.activity,
+            walking=self.crowd.walking[:n],
+            attends=senses.attends[:n, n:],
+            attention=senses.attention[:n, n:],
+            facing=np.cos(senses.angle[:n, n:]),
+            mood=self.moods,
+            behavior=self.robots.behaviors,
+            left=self.robots.left(self.time),
+            touches=self.robots.felt,
+        )
+
+    def appropriateness(self, robot: int) -> Array:
+        """What the people present would think of each behavior of a robot now.
+
+        The mean over all people of their preference times how strongly each would
+        see or hear that behavior.
+
+        Args:
+            robot: Index of the robot.
+
+        Returns:
+            Shape (n_behaviors,), in [-1, 1].
+        """
+        n, target = self._n_people, self._n_people + robot
+        senses = self.senses
+        loudness = np.array([b.loudness for b in self._scenario.repertoire])
+        heard = heard_strength(loudness - senses.loss[:n, target, None])
+        seen = seen_strength(senses.attention[:n, target, None])
+        liked = self.people.preferred(senses.attends[:n, n:])[:, robot]
+        return (liked * np.maximum(seen, heard)).mean(axis=0)
+
+
+def _known(moment: float) -> float | None:
+    return None if math.isnan(moment) else float(moment)
