@@ -91,6 +91,7 @@ def percept():
             "mood": 0.0,
             "judgements": (),
             "pleasing": np.zeros(2, dtype=bool),
+            "moving": np.zeros(2, dtype=bool),
             "sees": np.zeros(4, dtype=bool),
             "level": np.zeros(4),
         }

@@ -50,6 +50,7 @@ class Percept:
         mood: Its mood, in [-1, 1].
         judgements: What it thinks of the bouts that it first perceived now.
         pleasing: Whether each robot is doing something that pleases it, (n_robots,).
+        moving: Whether each robot is on the move, shape (n_robots,).
         sees: Whether it sees each entity (people first, then robots), shape (n,).
         level: How loud it hears each entity, shape (n,) [dB].
     """
@@ -62,6 +63,7 @@ class Percept:
     mood: float
     judgements: Sequence[Judgement]
     pleasing: NDArray[np.bool_]
+    moving: NDArray[np.bool_]
     sees: NDArray[np.bool_]
     level: NDArray[np.float64]
 

@@ -191,6 +191,7 @@ class People:
                     mood=person.mood,
                     judgements=judgements[i],
                     pleasing=self.pleasing[i],
+                    moving=crowd.walking[len(self.everyone) :],
                     sees=senses.sees[i],
                     level=senses.level[i],
                 )

@@ -4,9 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.people.appraisal import AUDIBLE, heard_strength
+from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percept
 from household.people.persona import Persona
+
+MOVING = 0.5
+"""How strongly a robot on the move draws the eye that sees it, beside 1 for a loud
+noise close by (our choice)."""
 
 
 class GazeHabits:
@@ -39,22 +43,25 @@ class GazeHabits:
         """Index of the entity to look at now, or `OWN_ACTIVITY`."""
         self._left -= percept.period
         moves, startles, draw = self._rng.random(3).tolist()
-        loudest = self._loudest(percept)
-        if loudest is not None and startles < self._chance_to_startle(percept, loudest):
-            self._rest_on(loudest)
+        robot, strength = self._most_striking(percept)
+        if startles < self._persona.reflex * strength:
+            self._rest_on(robot)
         elif self._left <= 0.0:
             self._rest_on(self._drawn(moves, draw))
         return self._look
 
-    def _loudest(self, percept: Percept) -> int | None:
-        """The loudest robot, None if no robot can be heard."""
-        levels = percept.level[self._robots.start :].tolist()
-        most = max(levels)
-        return self._robots[levels.index(most)] if most > AUDIBLE else None
-
-    def _chance_to_startle(self, percept: Percept, robot: int) -> float:
-        strength = heard_strength(percept.level[robot])
-        return self._persona.reflex * float(strength)
+    def _most_striking(self, percept: Percept) -> tuple[int, float]:
+        """The robot that draws the eye most, and how strongly, in [0, 1]."""
+        first = self._robots.start
+        levels = percept.level[first:].tolist()
+        seen_moving = percept.sees[first:] & percept.moving
+        strength, _, robot = max(
+            (max(float(heard_strength(level)), MOVING * moves), level, robot)
+            for robot, level, moves in zip(
+                self._robots, levels, seen_moving.tolist(), strict=True
+            )
+        )
+        return robot, strength
 
     def _drawn(self, moves: float, draw: float) -> int:
         robots, people = self._persona.robot_interest, self._persona.people_interest

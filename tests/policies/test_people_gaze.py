@@ -76,7 +76,13 @@ def test_both_robots_are_looked_at_alike(gaze):
 def test_who_lives_alone_with_a_robot_has_nobody_else_to_look_at(percept):
     persona = Persona(name="alone", people_interest=1.0, robot_interest=0.0, reflex=0.0)
     habits = GazeHabits(persona, 0, 1, 1, np.random.default_rng(0))
-    looks = {habits.look(percept(level=np.zeros(2))) for _ in range(50)}
+    alone = percept(
+        level=np.zeros(2),
+        sees=np.zeros(2, dtype=bool),
+        moving=np.zeros(1, dtype=bool),
+        pleasing=np.zeros(1, dtype=bool),
+    )
+    looks = {habits.look(alone) for _ in range(50)}
     assert looks == {OWN_ACTIVITY}
 
 
@@ -128,3 +134,21 @@ def test_the_same_stream_looks_the_same_way(gaze):
     levels = [heard(2, 60.0) if i % 7 == 0 else QUIET for i in range(200)]
     assert gaze(5, **traits)(levels) == gaze(5, **traits)(levels)
     assert gaze(5, **traits)(levels) != gaze(6, **traits)(levels)
+
+
+def test_a_moving_robot_draws_the_eye_that_sees_it(percept):
+    persona = Persona(
+        name="ann", reflex=1.0, robot_interest=0.0, people_interest=0.0, gaze_dwell=1.0
+    )
+    sees = np.array([False, False, False, True])
+    moving = np.array([True, True])
+
+    def looks(**what):
+        habits = GazeHabits(persona, 0, 2, 2, np.random.default_rng(3))
+        return {habits.look(percept(**what)) for _ in range(40)}
+
+    assert looks() == {OWN_ACTIVITY}
+    assert looks(moving=moving) == {OWN_ACTIVITY}  # nobody sees them
+    assert looks(sees=sees) == {OWN_ACTIVITY}  # they stand still
+    assert 3 in looks(sees=sees, moving=moving)
+    assert 2 not in looks(sees=sees, moving=moving)  # the one that is not seen

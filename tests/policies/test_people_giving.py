@@ -33,6 +33,7 @@ def percept(*judgements, touched=False, mood=0.0, period=1.0, pleasing=False):
         mood=mood,
         judgements=judgements,
         pleasing=np.array([pleasing, pleasing]),
+        moving=np.zeros(2, dtype=bool),
         sees=np.zeros(3, dtype=bool),
         level=np.zeros(3),
     )
