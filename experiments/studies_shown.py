@@ -87,7 +87,7 @@ def _cells(number: int, frame: pl.DataFrame) -> Table:
 
     return Table(
         name=f"factorial_{number}",
-        title=f"Experiment {number}: {EXPERIMENTS[number].title.lower()}",
+        title=f"Experiment {number}: {EXPERIMENTS[number].title}",
         header=("rate, credit", *(name.replace("_", " + ") for name in analogies)),
         rows=tuple(
             (
@@ -185,14 +185,16 @@ def _heat_map(every: Sequence[Variant], held: _Verdicts, ids: Sequence[str]) -> 
         title="Claims by constants",
         header=("constant", *ids),
         rows=tuple(
-            (name, tuple(_both(row, id) for id in ids)) for name, row in rows.items()
+            (name, tuple(_both(row, id) for id in ids))
+            for name, row in rows.items()
+            if any(sign in "✓✗" for sign, _ in row.values())
         ),
         note=(
             "Left of the stroke: the constant a quarter smaller, right of it: a "
             "quarter larger. ✓ holds, ✗ fails; shaded and framed where that is another "
             "verdict than without the change. A dot: the constant has no part in it or "
             "is at its limit; a dash: the changed constant is impossible; a question "
-            "mark: not run yet."
+            "mark: not run yet. Constants of which nothing was run are left out."
         ),
     )
 

@@ -103,7 +103,7 @@ def table(frame: pl.DataFrame) -> Table:
             tuple(
                 Entry(text=text)
                 for text in (
-                    f"{line.seconds:+.0f} s",
+                    _seconds(line.seconds),
                     f"{line.classic:.3f}",
                     f"{found_classic:.3f}",
                     f"{line.heuristic:.3f}",
@@ -133,6 +133,11 @@ def table(frame: pl.DataFrame) -> Table:
             "transition probabilities (11/26 and 1/10) are inferred from the table."
         ),
     )
+
+
+def _seconds(seconds: float) -> str:
+    sign = "+" if seconds > 0 else "\N{MINUS SIGN}" if seconds < 0 else ""
+    return f"{sign}{abs(seconds):.0f} s"
 
 
 def computed(values: FloatArray) -> Estimate:

@@ -26,6 +26,7 @@ def say(capsys, *words):
         (["reproduce", "1", "--seeds", "0"], "--seeds must be at least 1, got 0"),
         (["reproduce", "1", "--seeds", "-3"], "--seeds must be at least 1, got -3"),
         (["reproduce", "1", "--seeds", "many"], "--seeds"),
+        (["reproduce", "1", "--sensitivity-seeds", "31"], "from 1 to --seeds, got 31"),
         (["reproduce", "1", "--sedes", "3"], "--seeds"),
         (["reproduce", "1", "--engine", "dsk"], "did you mean 'dask'?"),
         (["reproduce", "1", "--workers", "0"], "--workers must be at least 1"),
