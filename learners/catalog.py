@@ -268,6 +268,7 @@ def make_learner(
 
 
 def _no_such(what: str, name: str, known: Mapping[str, Any] | frozenset[str]) -> str:
-    near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)
+    allowed = sorted(known)
+    near = difflib.get_close_matches(name, allowed, n=1)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    return f"there is no {what} called {name!r}{hint}"
+    return f"there is no {what} called {name!r}{hint} (allowed: {', '.join(allowed)})"

@@ -96,9 +96,12 @@ class CreditedLearner(ABC):
         Raises:
             LearnerError: if the entry cannot be; what was learned is unchanged.
         """
-        if not 0 <= experience.action < self.n_behaviors:
+        action = experience.action
+        # A float of the right size would fail later, with the history changed.
+        known = isinstance(action, int | np.integer) and 0 <= action < self.n_behaviors
+        if not known:
             raise UnknownBehaviorError(
-                f"behavior {experience.action} is not one of the {self.n_behaviors} "
+                f"behavior {action} is not one of the {self.n_behaviors} "
                 f"behaviors 0 .. {self.n_behaviors - 1}"
             )
         self.history.check(experience)

@@ -153,7 +153,7 @@ def snapshot(learner):
     return rows, learner.table.updates, len(learner.history)
 
 
-@pytest.mark.parametrize("action", [-1, 2])
+@pytest.mark.parametrize("action", [-1, 2, 0.5, 1.0])
 def test_an_unknown_behavior_is_refused_and_the_table_unchanged(
     make, entry, touch, action
 ):
