@@ -29,6 +29,8 @@ class Replay:
         """Makes what was asked for, or shows the replay until the viewer is closed."""
         from household.replay.viewer import choose, view, write_png
 
+        _check_file("--video", self.video, ".mp4")
+        _check_file("--png", self.png, ".png")
         path = choose(self.path)
         if self.video:
             _film(path, self.video)
@@ -36,6 +38,18 @@ class Replay:
             write_png(path, self.png)
         if not (self.video or self.png):
             view(path, web=self.web)
+
+
+def _check_file(option: str, file: Path | None, suffix: str) -> None:
+    """Refuses a file that could not be written as what it is called."""
+    from experiments.errors import ExperimentError
+
+    if file is None:
+        return
+    if file.suffix.lower() != suffix:
+        raise ExperimentError(f"{option} {file}: the name must end in {suffix}.")
+    if not file.parent.is_dir():
+        raise ExperimentError(f"{option} {file}: {file.parent} is not a directory.")
 
 
 def _film(path: Path, out: Path) -> None:

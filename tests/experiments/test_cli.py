@@ -1,3 +1,4 @@
+import io
 import subprocess
 import sys
 
@@ -5,6 +6,7 @@ import pytest
 
 from experiments.cli import _unboxed, main
 from experiments.commands import COMMANDS
+from experiments.commands.terminal import new_console
 
 
 def say(capsys, *words):
@@ -39,6 +41,8 @@ def say(capsys, *words):
         (["train", "evening", "--decisions", "0"], "--decisions must be at least 1"),
         (["train", "evening", "--seed", "-1"], "--seed must be 0 or larger"),
         (["replay", "/nowhere"], "/nowhere: no replay"),
+        (["replay", "/nowhere", "--png", "a.jpg"], "--png a.jpg: the name must end in"),
+        (["replay", "/nowhere", "--video", "no/a.mp4"], "no is not a directory"),
         ([], "reproduce"),
         (["--foo"], "--foo"),
     ],
@@ -127,6 +131,14 @@ def test_python_m_experiments_is_the_same_command():
     )
     assert done.returncode == 2
     assert done.stderr.startswith("household: unknown experiment '9'")
+
+
+def test_a_check_mark_that_the_terminal_lacks_does_not_end_the_command(monkeypatch):
+    written = io.BytesIO()
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(written, encoding="latin-1"))
+    new_console().print("✓ holds")
+    sys.stdout.flush()
+    assert written.getvalue() == b"? holds\n"
 
 
 def test_a_fault_of_the_program_is_not_blamed_on_the_user(monkeypatch):
