@@ -150,7 +150,7 @@ class Results:
         Two columns lead: `condition` and `seed`.
 
         Raises:
-            ExperimentError: If a trial is missing.
+            ExperimentError: If a trial is missing or damaged.
         """
         import polars as pl
 
@@ -161,13 +161,24 @@ class Results:
                 f"missing, e.g. {missing[0]}; run `household reproduce` to add them."
             )
         return pl.concat(
-            pl.read_parquet(self.file(trial)).select(
+            _read_trial(self.file(trial)).select(
                 pl.lit(trial.condition.name).alias("condition"),
                 pl.lit(trial.seed).alias("seed"),
                 pl.all(),
             )
             for trial in study.trials()
         )
+
+
+def _read_trial(path: Path) -> polars.DataFrame:
+    import polars as pl
+
+    try:
+        return pl.read_parquet(path)
+    except pl.exceptions.PolarsError as error:
+        raise ExperimentError(
+            f"{path}: damaged ({error}). Delete it; `household reproduce` runs it again."
+        ) from error
 
 
 def make_directory(directory: Path) -> None:

@@ -50,6 +50,14 @@ def test_reading_an_unfinished_study_says_what_is_missing(tmp_path):
         results.read(study(seeds=(0, 1, 2)))
 
 
+def test_a_damaged_trial_is_named(tmp_path):
+    results = filled(tmp_path, study())
+    damaged = results.file(study().trials()[0])
+    damaged.write_bytes(b"")
+    with pytest.raises(ExperimentError, match=rf"{damaged.name}: damaged"):
+        results.read(study())
+
+
 def test_reading_takes_only_the_seeds_of_the_study(tmp_path):
     results = filled(tmp_path, study(seeds=(0, 1, 2)))
     assert results.read(study(seeds=(1,)))["seed"].to_list() == [1, 1]
