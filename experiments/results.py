@@ -177,7 +177,8 @@ def _read_trial(path: Path) -> polars.DataFrame:
         return pl.read_parquet(path)
     except pl.exceptions.PolarsError as error:
         raise ExperimentError(
-            f"{path}: damaged ({error}). Delete it; `household reproduce` runs it again."
+            f"{path}: damaged ({error}). Delete it, and `household reproduce` runs "
+            "that trial again."
         ) from error
 
 
