@@ -59,7 +59,9 @@ class FixedDelay:
 class BeforeApproach:
     """The pair in force just before the giver left what it was doing to come over.
 
-    A giver that did not need to walk means the pair in force at the touch.
+    That is the pair in force as it set out; but what the robot chose at that very
+    moment cannot be what moved it, and then it is the pair before. A giver that did not
+    need to walk means the pair in force at the touch.
 
     Attributes:
         reaction: [s] from perceiving a behavior to setting out, >= 0. 0: what was in
@@ -75,7 +77,11 @@ class BeforeApproach:
         """Index of that entry."""
         if feedback.approach_began is None:
             return history.in_force(feedback.time)
-        return history.before(feedback.approach_began - self.reaction)
+        set_out = feedback.approach_began - self.reaction
+        index = history.in_force(set_out)
+        entry = history.entries[index]
+        chosen_then = entry.chosen and entry.time >= set_out
+        return history.before(set_out) if chosen_then else index
 
 
 @saved

@@ -129,6 +129,19 @@ def test_an_accumulating_trace_adds_up_what_is_met_again(abab, touch):
     assert weights == {2: 1.25, 1: 0.5}
 
 
+@pytest.mark.parametrize(("chosen", "designated"), [(False, "calling"), (True, "way")])
+def test_what_is_chosen_as_the_giver_sets_out_did_not_move_it(
+    entry, touch, chosen, designated
+):
+    """It reaches the phone at 4 s, judges what goes on there, and sets out at once."""
+    history = History()
+    history.append(entry("way", 0, 0.0, next_time=4.0))
+    history.append(entry("calling", 0, 4.0, next_time=5.0, chosen=chosen))
+    history.append(entry("way back", 0, 5.0, next_time=9.0, chosen=False))
+    index = BeforeApproach()(touch(time=9.0, approach_began=4.0), history)
+    assert history.entries[index].state == designated
+
+
 def test_a_replacing_trace_starts_anew_at_one(abab, touch):
     rule = Trace(decay=0.5, replacing=True)
     weights, _ = rule.weigh(touch(time=3.0), abab, SituationNetwork())
