@@ -13,9 +13,10 @@ from experiments.trial import Condition, Study, Trial
 if TYPE_CHECKING:
     import polars
 
-    from experiments.rows import Evaluated
+    from household.environment import Household
     from learners.learner import Learner
     from policies.learning import LearningRobot, Observer
+    from policies.truth import Truth
 
 
 def run_trial(trial: Trial) -> polars.DataFrame:
@@ -49,17 +50,17 @@ def play(trial: Trial, observers: Sequence[Observer] = ()) -> dict[str, Learning
 
     home_seed, learner_seed = np.random.SeedSequence(trial.seed).spawn(2)
     env = make_home(trial.condition)
-    robots = make_robots(trial.condition, env, learner_seed)
+    robots, truths = make_robots(trial.condition, env, learner_seed)
     run_episode(
         env,
         robots,
         seed=int(home_seed.generate_state(1)[0]),
-        observers=observers,
+        observers=(*truths, *observers),
     )
     return robots
 
 
-def make_home(condition: Condition) -> Evaluated:
+def make_home(condition: Condition) -> Household:
     """Returns the condition's environment."""
     from household import household_v0
 
@@ -69,23 +70,32 @@ def make_home(condition: Condition) -> Evaluated:
 
 
 def make_robots(
-    condition: Condition, env: Evaluated, seed: np.random.SeedSequence
-) -> dict[str, LearningRobot]:
-    """Returns a learning robot for each agent, each with a random stream of its own."""
-    from policies.learning import LearningRobot
+    condition: Condition, env: Household, seed: np.random.SeedSequence
+) -> tuple[dict[str, LearningRobot], tuple[Observer, ...]]:
+    """Returns a learning robot for each agent, each with a random stream of its own.
 
-    return {
-        agent: LearningRobot(
-            make_learner_of(condition, len(env.behaviors), np.random.default_rng(child))
+    Returns:
+        The robots, and who must watch so that oracles among them are told the truth.
+    """
+    from policies.learning import LearningRobot
+    from policies.truth import Truth
+
+    robots, truths = {}, []
+    children = seed.spawn(len(env.possible_agents))
+    for agent, child in zip(env.possible_agents, children, strict=True):
+        truths.append(Truth(env, agent))
+        learner = make_learner_of(
+            condition, len(env.behaviors), np.random.default_rng(child), truths[-1]
         )
-        for agent, child in zip(
-            env.possible_agents, seed.spawn(len(env.possible_agents)), strict=True
-        )
-    }
+        robots[agent] = LearningRobot(learner)
+    return robots, tuple(truths)
 
 
 def make_learner_of(
-    condition: Condition, n_behaviors: int = 2, rng: np.random.Generator | None = None
+    condition: Condition,
+    n_behaviors: int = 2,
+    rng: np.random.Generator | None = None,
+    truth: Truth | None = None,
 ) -> Learner:
     """Returns a new learner of a condition.
 
@@ -93,15 +103,20 @@ def make_learner_of(
         condition: What it is to be.
         n_behaviors: How many behaviors it chooses from.
         rng: Its random stream; None for a learner that is only looked at.
+        truth: What an oracle may know; None for learners that are none.
     """
-    from learners.catalog import make_learner
+    from learners.catalog import CATALOG, make_learner
     from learners.parts import made
 
+    name = condition.learner
+    needs = CATALOG[name].needs if name in CATALOG and truth is not None else ()
+    told = truth.tells(name, needs) if truth is not None else {}
     return make_learner(
-        condition.learner,
+        name,
         n_behaviors,
         np.random.default_rng(0) if rng is None else rng,
         **made(condition.learner_overrides),
+        **told,
     )
 
 
@@ -122,7 +137,7 @@ def describe_condition(condition: Condition) -> dict[str, Any]:
 
     env = make_home(condition)
     scenario = env.scenario
-    robots = make_robots(condition, env, np.random.SeedSequence(0))
+    robots, _ = make_robots(condition, env, np.random.SeedSequence(0))
     parts = {
         "scenario": scenario,
         "home": scenario.plan,

@@ -226,7 +226,7 @@ class Life:
             touches=self.robots.felt,
         )
 
-    def appropriateness(self, robot: int) -> Array:
+    def appropriateness(self, robot: int, *, on_average: bool = False) -> Array:
         """What the people present would think of each behavior of a robot now.
 
         The mean over all people of their preference times how strongly each would
@@ -234,6 +234,7 @@ class Life:
 
         Args:
             robot: Index of the robot.
+            on_average: As if everybody were the average person of the population.
 
         Returns:
             Shape (n_behaviors,), in [-1, 1].
@@ -243,7 +244,8 @@ class Life:
         loudness = np.array([b.loudness for b in self._scenario.repertoire])
         heard = heard_strength(loudness - senses.loss[:n, target, None])
         seen = seen_strength(senses.attention[:n, target, None])
-        liked = self.people.preferred(senses.attends[:n, n:])[:, robot]
+        attends = senses.attends[:n, n:]
+        liked = self.people.preferred(attends, on_average=on_average)[:, robot]
         return (liked * np.maximum(seen, heard)).mean(axis=0)
 
 

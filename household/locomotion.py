@@ -5,8 +5,9 @@ times in each decision, over all pairs of bodies.
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from household.compiled import compiled
 
 Array = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ STILL = 1e-6
 """How far a body moves at most that is at rest [m]."""
 
 
-@njit(cache=True)
+@compiled
 def steer(
     position: Array,
     waypoint: Array,
@@ -82,7 +83,7 @@ def steer(
     return velocity
 
 
-@njit(cache=True)
+@compiled
 def follow_up(
     before: Array,
     position: Array,
@@ -130,7 +131,7 @@ def follow_up(
     return np.flatnonzero(due), moved
 
 
-@njit(cache=True)
+@compiled
 def turn_heads(
     gaze: Array, heading: Array, target: Array, most: Array
 ) -> tuple[Array, Array]:
@@ -154,7 +155,7 @@ def turn_heads(
     return turned, faced
 
 
-@njit(cache=True)
+@compiled
 def _wrapped(angle: float) -> float:
     """An angle in [-pi, pi) [rad]."""
     return (angle + np.pi) % (2 * np.pi) - np.pi

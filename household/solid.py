@@ -5,9 +5,9 @@ in a crowd that can be a hand's breadth. This sets it right after the engine's t
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from household.compiled import compiled
 from household.perception.kernel import crosses
 
 Array = NDArray[np.float64]
@@ -20,7 +20,7 @@ WEDGED = 0.005
 """Who still overlaps by more after that [m] was pressed to where it does not fit."""
 
 
-@njit(cache=True)
+@compiled
 def keep_out(
     before: Array,
     after: Array,
@@ -68,7 +68,7 @@ def keep_out(
     return np.flatnonzero(moved)
 
 
-@njit(cache=True)
+@compiled
 def _goes_through(a: Point, b: Point, segments: Array, boxes: Array) -> bool:
     """Whether the way from a to b crosses a segment."""
     box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
@@ -78,7 +78,7 @@ def _goes_through(a: Point, b: Point, segments: Array, boxes: Array) -> bool:
     return False
 
 
-@njit(cache=True)
+@compiled
 def _pushed_out(
     b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
 ) -> Point:
@@ -96,7 +96,7 @@ def _pushed_out(
     return x, y
 
 
-@njit(cache=True)
+@compiled
 def _fits(
     b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
 ) -> bool:
@@ -110,7 +110,7 @@ def _fits(
     return True
 
 
-@njit(cache=True)
+@compiled
 def _offset(b: Point, segments: Array, k: int) -> Point:
     """From the nearest point of a segment to a body's middle."""
     x1, y1, x2, y2 = segments[k]
@@ -121,7 +121,7 @@ def _offset(b: Point, segments: Array, k: int) -> Point:
     return ox - along * dx, oy - along * dy
 
 
-@njit(cache=True)
+@compiled
 def _near(box: tuple[float, ...], reach: float, boxes: Array, k: int) -> bool:
     """Whether a box comes within reach of another.
 

@@ -1,8 +1,9 @@
 """Ways on the grid of free space, compiled: shortest ones, and pulled straight."""
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from household.compiled import compiled
 
 SAMPLES = 2.0
 """Samples for each cell's length along a line."""
@@ -15,7 +16,7 @@ NOWHERE = -1
 """Where no way goes on."""
 
 
-@njit(cache=True)
+@compiled
 def onward_to(free: NDArray[np.bool_], goal: int) -> NDArray[np.int32]:
     """Shortest ways from everywhere to one cell (Dijkstra's, with Dial's buckets).
 
@@ -63,7 +64,7 @@ def onward_to(free: NDArray[np.bool_], goal: int) -> NDArray[np.int32]:
     return onward
 
 
-@njit(cache=True)
+@compiled
 def cells_between(
     onward: NDArray[np.int32], first: int, height: int, end: tuple[float, float]
 ) -> NDArray[np.float64]:
@@ -89,7 +90,7 @@ def cells_between(
     return points
 
 
-@njit(cache=True)
+@compiled
 def nearest(points: NDArray[np.float64], point: tuple[float, float]) -> int:
     """Index of the point that is nearest to another.
 
@@ -105,7 +106,7 @@ def nearest(points: NDArray[np.float64], point: tuple[float, float]) -> int:
     return best
 
 
-@njit(cache=True)
+@compiled
 def line_is_free(
     free: NDArray[np.bool_], start: tuple[float, float], end: tuple[float, float]
 ) -> bool:
@@ -128,7 +129,7 @@ def line_is_free(
     return True
 
 
-@njit(cache=True)
+@compiled
 def turning_points(
     free: NDArray[np.bool_], points: NDArray[np.float64]
 ) -> NDArray[np.int64]:

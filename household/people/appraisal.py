@@ -7,9 +7,9 @@ enough: its preference times how strongly it perceived the bout.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from household.compiled import compiled
 from household.people.feedback import Cause
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Judgement:
     cause: Cause
 
 
-@njit(cache=True)
+@compiled
 def heard_strength(level: Array | float) -> Array:
     """How strongly sounds are heard, in [0, 1].
 
@@ -52,7 +52,7 @@ def heard_strength(level: Array | float) -> Array:
     return np.minimum(np.maximum((level - AUDIBLE) / (FULL - AUDIBLE), 0.0), 1.0)
 
 
-@njit(cache=True)
+@compiled
 def seen_strength(attention: Array | float) -> Array:
     """How strongly things are seen, in [0, 1].
 
@@ -62,7 +62,7 @@ def seen_strength(attention: Array | float) -> Array:
     return np.minimum(np.maximum(attention / SEEN_FULLY, 0.0), 1.0)
 
 
-@njit(cache=True)
+@compiled
 def appraisals(
     preferences: Array,
     activity: NDArray[np.int_],

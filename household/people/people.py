@@ -64,6 +64,10 @@ class People:
         ]
         self._starts = [spec.start for spec in scenario.people]
         self._robots = [spec.position for spec in scenario.robots]
+        # Tastes are drawn round 0, so that on average the norms are left of them.
+        norms = norm_table(scenario.household_norms, scenario.behaviors)
+        average = (1.0 - scenario.heterogeneity) * norms
+        self._average = np.array([average] * len(self.everyone))
         self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
             len(self.everyone), len(Activity), 2, -1
         )
@@ -102,16 +106,20 @@ class People:
         self.place = self.places.at(position)
         self.activity = self.places.roles(self.place)
 
-    def preferred(self, attends: NDArray[np.bool_]) -> Array:
+    def preferred(
+        self, attends: NDArray[np.bool_], *, on_average: bool = False
+    ) -> Array:
         """What everybody prefers of each robot right now.
 
         Args:
             attends: Whether each person attends to each robot, shape (n, n_robots).
+            on_average: As if everybody were the average person of the population.
 
         Returns:
             Shape (n, n_robots, n_behaviors), in [-1, 1].
         """
-        chosen: Array = self._preferences[
+        preferences = self._average if on_average else self._preferences
+        chosen: Array = preferences[
             self._rows, self.activity[:, None], attends.astype(np.intp)
         ]
         return chosen

@@ -3,8 +3,9 @@
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from household.compiled import compiled
 
 Array = NDArray[np.float64]
 
@@ -12,7 +13,7 @@ RAYS = 13
 """Rays in a cone; 120 degrees of view are drawn in steps of 10 degrees."""
 
 
-@njit(cache=True)
+@compiled
 def gaze_cones(
     position: Array, gaze: Array, half_view: Array, segments: Array, reach: float
 ) -> Array:
@@ -58,7 +59,7 @@ def gaze_cones(
     return outline
 
 
-@njit(cache=True)
+@compiled
 def _gather(x, y, segments, reach, near):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
     """Copies the segments that could be within reach to `near`; returns how many."""
     count = 0
@@ -75,7 +76,7 @@ def _gather(x, y, segments, reach, near):  # type: ignore[no-untyped-def]  # noq
     return count
 
 
-@njit(cache=True)
+@compiled
 def _free(x, y, dx, dy, segments, reach):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
     """How far one sees from (x, y) in the unit direction (dx, dy)."""
     free = reach

@@ -6,8 +6,9 @@ in, arrays out; entities are indexed people first, then robots.
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from household.compiled import compiled
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -16,7 +17,7 @@ NEAREST = 0.3
 """Distance below which a sound gets no louder [m]: an ear is not inside its source."""
 
 
-@njit(cache=True)
+@compiled
 def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
     """Whether the line from a to b crosses a segment (x1, y1, x2, y2)."""
     x1, y1, x2, y2 = segment
@@ -31,7 +32,7 @@ def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
     return side3 * side4 <= 0.0 and side1 != side2
 
 
-@njit(cache=True)
+@compiled
 def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     """How many segments stand between each two entities.
 
@@ -50,7 +51,7 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     return count
 
 
-@njit(cache=True)
+@compiled
 def _between(position: Array, i: int, j: int, segments: Array) -> int:
     """How many segments stand between two entities."""
     ax, ay = position[i, 0], position[i, 1]
@@ -61,7 +62,7 @@ def _between(position: Array, i: int, j: int, segments: Array) -> int:
     return count
 
 
-@njit(cache=True)
+@compiled
 def separate(
     before: Array,
     position: Array,
@@ -97,7 +98,7 @@ def separate(
                 hidden[i, j] = hidden[j, i] = between
 
 
-@njit(cache=True)
+@compiled
 def sight(
     position: Array, gaze: Array, half_view: Array, hidden: NDArray[np.int64]
 ) -> tuple[Mask, Array]:
@@ -130,7 +131,7 @@ def sight(
     return sees, angle
 
 
-@njit(cache=True)
+@compiled
 def attention(
     position: Array,
     sees: Mask,
@@ -177,7 +178,7 @@ def attention(
     return share
 
 
-@njit(cache=True)
+@compiled
 def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> Array:
     """What a sound loses on its way from each entity to each other one.
 
@@ -200,7 +201,7 @@ def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> 
     return loss
 
 
-@njit(cache=True)
+@compiled
 def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
     """What a sound loses between two entities [dB]."""
     dx = position[j, 0] - position[i, 0]
@@ -209,7 +210,7 @@ def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
     return 20.0 * np.log10(away) + through_walls
 
 
-@njit(cache=True)
+@compiled
 def attend(
     share: Array, attends: Mask, began: Array, above: float, below: float, now: float
 ) -> tuple[Mask, Array]:
@@ -236,7 +237,7 @@ def attend(
     return attends_now, began_now
 
 
-@njit(cache=True)
+@compiled
 def inside(position: Array, circles: Array) -> NDArray[np.intp]:
     """The first circle that each point is in.
 
