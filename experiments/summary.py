@@ -13,6 +13,18 @@ if TYPE_CHECKING:
 
     from experiments.publish import Published
 
+WIDTHS = (
+    ("", 2),
+    ("claim", 18),
+    ("condition", 12),
+    ("value", 5),
+    ("95 %", 7),
+    ("holds if", 8),
+    ("", 7),
+)
+"""Columns and their least widths [characters]: in a narrow terminal texts are wrapped
+between words and never cut."""
+
 _STYLES = {True: "green", False: "bold red"}
 
 
@@ -52,8 +64,8 @@ def claims_table(published: Published) -> Table:
     from rich.text import Text
 
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-    for heading in ("", "claim", "condition", "value", "95 %", "holds if", ""):
-        table.add_column(heading, no_wrap=heading not in ("claim", "holds if"))
+    for heading, width in WIDTHS:
+        table.add_column(heading, min_width=width, overflow="fold")
     before = ""
     for finding in sorted(published.findings, key=lambda one: one.claim.id):
         claim = finding.claim

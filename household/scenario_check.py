@@ -44,20 +44,22 @@ def load_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scena
 def problems(scenario: Scenario) -> Iterator[str]:
     """Everything that is wrong with a scenario, one line each.
 
-    A home or a persona that cannot be used hides what is wrong beyond it.
+    What hangs on a home or a persona is told only if that can be used.
     """
-    unusable = (*_home(scenario), *_personas(scenario))
-    yield from unusable
-    if unusable:
-        return
+    home, personas = tuple(_home(scenario)), tuple(_personas(scenario))
+    yield from home
+    yield from personas
     yield from _periods(scenario)
     yield from _thresholds(scenario)
     yield from _behaviors(scenario)
+    if not personas:
+        yield from _preferences(scenario)
     yield from _names(scenario)
     yield from _slots(scenario)
-    for index, person in enumerate(scenario.people):
-        yield from _doings(scenario, person, f"people[{index}]")
-    yield from _places(scenario)
+    if not home:
+        for index, person in enumerate(scenario.people):
+            yield from _doings(scenario, person, f"people[{index}]")
+        yield from _places(scenario)
 
 
 def _home(scenario: Scenario) -> Iterator[str]:
@@ -105,6 +107,10 @@ def _behaviors(scenario: Scenario) -> Iterator[str]:
     if len(set(scenario.behaviors)) < len(scenario.behaviors):
         yield "behaviors: every name may stand there once"
     yield from _norms(scenario.norms or {}, known, "norms")
+
+
+def _preferences(scenario: Scenario) -> Iterator[str]:
+    known = catalogue() | scenario.behavior
     for index, persona in enumerate(scenario.personas):
         yield from _norms(
             persona.preferences, known, f"people[{index}].persona.preferences"
