@@ -13,17 +13,11 @@ if TYPE_CHECKING:
 
     from experiments.publish import Published
 
-WIDTHS = (
-    ("", 2),
-    ("claim", 18),
-    ("condition", 12),
-    ("value", 5),
-    ("95 %", 7),
-    ("holds if", 8),
-    ("", 7),
-)
-"""Columns and their least widths [characters]: in a narrow terminal texts are wrapped
-between words and never cut."""
+ROOM = 110
+"""Width of a terminal in which claims fit on few lines [characters]."""
+
+NARROW = {"claim": 20, "condition": 12, "95 %": 9, "holds if": 9}
+"""Columns that wrap between words where there is less room, and how wide they are."""
 
 _STYLES = {True: "green", False: "bold red"}
 
@@ -35,7 +29,7 @@ def show(console: Console, published: Published) -> None:
         console: Where to.
         published: What came out.
     """
-    console.print(claims_table(published))
+    console.print(claims_table(published, narrow=console.width < ROOM))
     held = verdicts(published.findings)
     console.print(f"{sum(held.values())} of {len(held)} claims hold.\n")
     for sentence in published.unfinished:
@@ -57,15 +51,23 @@ def show(console: Console, published: Published) -> None:
         console.print(said, highlight=False, soft_wrap=True)
 
 
-def claims_table(published: Published) -> Table:
-    """Returns one line per claim and condition."""
+def claims_table(published: Published, *, narrow: bool = False) -> Table:
+    """Returns one row per claim and condition.
+
+    Args:
+        published: What came out.
+        narrow: Wraps texts so that 80 characters are wide enough.
+    """
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
     from rich.text import Text
 
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-    for heading, width in WIDTHS:
-        table.add_column(heading, min_width=width, overflow="fold")
+    for heading in ("", "claim", "condition", "value", "95 %", "holds if", ""):
+        width = NARROW.get(heading)
+        table.add_column(
+            heading, no_wrap=width is None, width=width if narrow else None
+        )
     before = ""
     for finding in sorted(published.findings, key=lambda one: one.claim.id):
         claim = finding.claim
