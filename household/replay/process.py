@@ -3,7 +3,10 @@
 import os
 import socket
 import subprocess
+import time
 from pathlib import Path
+
+from household.errors import HouseholdError
 
 LOOPBACK = "127.0.0.1"
 """Viewers listen on this machine alone; Rerun's own default is everywhere."""
@@ -12,25 +15,57 @@ PORT = 9876
 """Rerun's own; a viewer that a person has open listens there."""
 
 
+OPENS_WITHIN, SETTLES = 20.0, 1.0
+"""How long a viewer may take to open, and to find that it has no screen [s]."""
+
+
 def address(port: int) -> str:
     """Where a viewer on this machine takes recordings."""
     return f"rerun+http://{LOOPBACK}:{port}/proxy"
 
 
 def open_viewer() -> str:
-    """Opens a viewer that stays, unless one is open, and returns its address."""
-    with socket.socket() as probe:
-        if probe.connect_ex((LOOPBACK, PORT)) != 0:
-            start_viewer(f"--port={PORT}", detached=True)
+    """Opens a viewer that stays, unless one is open, and returns its address.
+
+    Raises:
+        HouseholdError: If no viewer opens, as on a machine without a screen.
+    """
+    if not _listens(PORT):
+        process = start_viewer(f"--port={PORT}", detached=True, quiet=True)
+        _wait_for(process)
     return address(PORT)
 
 
-def start_viewer(*arguments: str, detached: bool = False) -> "subprocess.Popen[bytes]":
+def _listens(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex((LOOPBACK, port)) == 0
+
+
+def _wait_for(process: "subprocess.Popen[bytes]") -> None:
+    """Waits until a viewer takes recordings; one without a screen ends at once."""
+    end = time.monotonic() + OPENS_WITHIN
+    while process.poll() is None and time.monotonic() < end:
+        if _listens(PORT):
+            time.sleep(SETTLES)  # It listens before it has found its screen.
+            break
+        time.sleep(0.1)
+    if process.poll() is not None or not _listens(PORT):
+        process.terminate()
+        raise HouseholdError(
+            "the Rerun viewer did not open; on a machine without a screen record "
+            "without watching, and look at it with `household replay FILE --web`"
+        )
+
+
+def start_viewer(
+    *arguments: str, detached: bool = False, quiet: bool = False
+) -> "subprocess.Popen[bytes]":
     """Starts a viewer.
 
     Args:
         *arguments: Of the command ``rerun``.
         detached: The viewer outlives this process.
+        quiet: What the viewer says of itself is not shown.
     """
     import rerun_cli
 
@@ -43,6 +78,7 @@ def start_viewer(*arguments: str, detached: bool = False) -> "subprocess.Popen[b
         command,
         env={"RUST_LOG": "warn"} | os.environ | {"RERUN_APP_ONLY": "true"},
         start_new_session=detached,
+        stderr=subprocess.DEVNULL if quiet else None,
     )
 
 
