@@ -1,5 +1,6 @@
 """The household as a PettingZoo environment; what a step does is told in `step`."""
 
+import operator
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -189,13 +190,21 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         choices = {}
         for agent in self._index.keys() & actions.keys():
-            choices[self._index[agent]] = behavior = int(actions[agent])
-            if not 0 <= behavior < len(self.behaviors):
-                raise HouseholdError(
-                    f"{agent}: action {behavior} is none of the behaviors; "
-                    f"allowed: 0 to {len(self.behaviors) - 1}"
-                )
+            choices[self._index[agent]] = self._behavior(agent, actions[agent])
         return choices
+
+    def _behavior(self, agent: str, action: int) -> int:
+        """An action as the index of a behavior."""
+        try:
+            behavior = operator.index(action)
+        except TypeError:
+            behavior = -1
+        if not 0 <= behavior < len(self.behaviors):
+            raise HouseholdError(
+                f"{agent}: action {action!r} is none of the behaviors; "
+                f"allowed: 0 to {len(self.behaviors) - 1}"
+            )
+        return behavior
 
     def _results(self) -> Any:  # noqa: ANN401 - the tuple that `step` documents
         over = self.decision >= self.max_cycles
