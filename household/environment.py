@@ -1,7 +1,7 @@
 """The household as a PettingZoo environment; what a step does is told in `step`."""
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -28,6 +28,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Observation = Any
+Results = tuple[
+    dict[str, Observation],
+    dict[str, float],
+    dict[str, bool],
+    dict[str, bool],
+    dict[str, dict[str, Any]],
+]
+"""Observations, rewards, terminations, truncations and infos, by agent."""
 
 
 class Household(ParallelEnv[str, Observation, int], EzPickle):
@@ -115,15 +123,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._show()
         return self._observations(), {agent: {} for agent in self.agents}
 
-    def step(
-        self, actions: Mapping[str, int]
-    ) -> tuple[
-        dict[str, Observation],
-        dict[str, float],
-        dict[str, bool],
-        dict[str, bool],
-        dict[str, dict[str, Any]],
-    ]:
+    def step(self, actions: Mapping[str, int]) -> Results:
         """Lets one decision period pass.
 
         Robots choose behaviors; people walk, look around and touch; everybody
@@ -206,7 +206,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             )
         return behavior
 
-    def _results(self) -> Any:  # noqa: ANN401 - the tuple that `step` documents
+    def _results(self) -> Results:
         over = self.decision >= self.max_cycles
         observations = self._observations()
         rewards, infos = {}, {}
@@ -281,6 +281,6 @@ def _repeated(space: spaces.Box, times: int) -> spaces.Box:
     return spaces.Box(np.tile(space.low, times), np.tile(space.high, times))
 
 
-def _check_name(name: str, allowed: Any, what: str) -> None:  # noqa: ANN401
+def _check_name(name: str, allowed: Collection[str], what: str) -> None:
     if name not in allowed:
         raise HouseholdError(choose_from(name, allowed, what))

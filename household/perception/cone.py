@@ -60,7 +60,7 @@ def gaze_cones(
 
 
 @compiled
-def _gather(x, y, segments, reach, near):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
+def _gather(x: float, y: float, segments: Array, reach: float, near: Array) -> int:
     """Copies the segments that could be within reach to `near`; returns how many."""
     count = 0
     for k in range(segments.shape[0]):
@@ -77,7 +77,9 @@ def _gather(x, y, segments, reach, near):  # type: ignore[no-untyped-def]  # noq
 
 
 @compiled
-def _free(x, y, dx, dy, segments, reach):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - Numba infers
+def _free(
+    x: float, y: float, dx: float, dy: float, segments: Array, reach: float
+) -> float:
     """How far one sees from (x, y) in the unit direction (dx, dy)."""
     free = reach
     for k in range(segments.shape[0]):
