@@ -13,6 +13,10 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 _ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "POLARS_MAX_THREADS")
 
 
+ENDS_WITHIN = 5.0
+"""How long the pool's own thread may take to notice that its workers are gone [s]."""
+
+
 class LocalExecutor(ProcessPoolExecutor):
     """A process pool that can be left at once: `shutdown` ends what still runs.
 
@@ -23,12 +27,16 @@ class LocalExecutor(ProcessPoolExecutor):
         """Ends the pool; with `cancel_futures` running tasks are ended as well."""
         # `terminate_workers` is public only from Python 3.14 on.
         processes = list((getattr(self, "_processes", None) or {}).values())
+        manager = getattr(self, "_executor_manager_thread", None)
         super().shutdown(wait and not cancel_futures, cancel_futures=cancel_futures)
         if cancel_futures:
             for process in processes:
                 process.terminate()
             for process in processes:
                 process.join()
+            if manager is not None:
+                # Else it closes its pipe while the ending interpreter writes to it.
+                manager.join(ENDS_WITHIN)
 
 
 def local_executor(workers: int) -> Executor:
