@@ -20,7 +20,7 @@ from household.perception.senses import Senses
 from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import MOST_PEOPLE, Scenario
-from household.streams import Streams
+from household.streams import Draws, Streams
 
 Array = NDArray[np.float64]
 
@@ -83,7 +83,6 @@ class Life:
         self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)
-        self._noise = np.zeros((n_robots, MOST_PEOPLE))
         self._moments = round(scenario.decision_period / scenario.steering_period)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
 
@@ -100,6 +99,8 @@ class Life:
         """
         self.decision = 0
         self._streams.begin(seed)
+        # Drawn for as many as could be here, so that one more shifts nobody's draws.
+        self._noise = Draws(self._streams.faces, MOST_PEOPLE, "normal")
         self.robots.begin()
         self.senses.forget()
         people = self.people.begin(self._streams.people)
@@ -203,10 +204,8 @@ class Life:
             now=self.time,
         )
         moods = np.array([person.mood for person in people.everyone])
-        # Drawn for as many as could be here, so that one more shifts nobody's draws.
-        for rng, drawn in zip(self._streams.robots, self._noise, strict=True):
-            rng.standard_normal(out=drawn)
-        misread = self._scenario.perception.mood_noise * self._noise[:, :n_people]
+        noise = self._noise.next()[:, :n_people]
+        misread = self._scenario.perception.mood_noise * noise
         self.moods = np.minimum(np.maximum(moods + misread, -1.0), 1.0)
 
     def view(self) -> View:

@@ -1,5 +1,6 @@
 """Gaze habits: where people look when no script tells them."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -7,6 +8,10 @@ import numpy as np
 from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percept
 from household.people.persona import Persona
+from household.streams import Draws
+
+DRAWS = 4
+"""In each moment: whether the gaze moves on, startles, where to, and for how long."""
 
 MOVING = 0.5
 """How strongly a robot on the move draws the eye that sees it, beside 1 for a loud
@@ -33,7 +38,7 @@ class GazeHabits:
         rng: np.random.Generator,
     ) -> None:
         self._persona = persona
-        self._rng = rng
+        self._draws = Draws([rng], DRAWS)
         self._people = [i for i in range(n_people) if i != myself]
         self._robots = range(n_people, n_people + n_robots)
         self._look = OWN_ACTIVITY
@@ -42,12 +47,12 @@ class GazeHabits:
     def look(self, percept: Percept) -> int:
         """Index of the entity to look at now, or `OWN_ACTIVITY`."""
         self._left -= percept.period
-        moves, startles, draw = self._rng.random(3).tolist()
+        moves, startles, draw, dwell = self._draws.next()[0].tolist()
         robot, strength = self._most_striking(percept)
         if startles < self._persona.reflex * strength:
-            self._rest_on(robot)
+            self._rest_on(robot, dwell)
         elif self._left <= 0.0:
-            self._rest_on(self._drawn(moves, draw))
+            self._rest_on(self._drawn(moves, draw), dwell)
         return self._look
 
     def _most_striking(self, percept: Percept) -> tuple[int, float]:
@@ -74,6 +79,6 @@ class GazeHabits:
             return OWN_ACTIVITY
         return choices[int(draw * len(choices))]
 
-    def _rest_on(self, entity: int) -> None:
+    def _rest_on(self, entity: int, dwell: float) -> None:
         self._look = entity
-        self._left = float(self._rng.exponential(self._persona.gaze_dwell))
+        self._left = -math.log(1.0 - dwell) * self._persona.gaze_dwell

@@ -7,6 +7,7 @@ import numpy as np
 from household.people.appraisal import Judgement
 from household.people.mind import Percept, Wish
 from household.people.persona import Persona
+from household.streams import Draws
 
 
 class FeedbackGiving:
@@ -29,7 +30,7 @@ class FeedbackGiving:
         self, persona: Persona, n_robots: int, rng: np.random.Generator
     ) -> None:
         self._persona = persona
-        self._rng = rng
+        self._draws = Draws([rng], 2 * n_robots)
         self._freshness = [1.0] * n_robots
         self._waited = 0.0
         self.wish: Wish | None = None
@@ -45,13 +46,12 @@ class FeedbackGiving:
         self._waited += percept.period
         if percept.touched or self._waited > persona.patience:
             self.wish = None
-        for judgement in percept.judgements:
-            self._weigh(judgement, percept.mood)
+        draws = self._draws.next().reshape(-1, 2).tolist()
+        for judgement, drawn in zip(percept.judgements, draws, strict=False):
+            self._weigh(judgement, percept.mood, drawn)
 
-    def _weigh(self, judgement: Judgement, mood: float) -> None:
-        # Both draws are always made, so that equal histories have equal streams
-        # whatever the persona's constants are.
-        chance, slip = self._rng.random(2).tolist()
+    def _weigh(self, judgement: Judgement, mood: float, drawn: list[float]) -> None:
+        chance, slip = drawn
         ready = chance < self._readiness(judgement, mood)
         self._get_used_to(judgement)
         if ready and self.wish is None and calls_for_feedback(self._persona, judgement):
