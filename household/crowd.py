@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
-from household.locomotion import STUCK, follow_up, steer, turn_heads
+from household.locomotion import (
+    CROWDED,
+    DRIFT,
+    STUCK,
+    bound_for,
+    follow_up,
+    steer,
+    turn_heads,
+)
 from household.records import Point
 from household.world import World
 
@@ -27,12 +35,6 @@ PASSED = 0.15
 
 ARRIVED = 0.05
 """Distance at which a walk ends [m]."""
-
-DRIFT = 0.1
-"""How far a body lets itself be pushed before it steps back to its place [m]."""
-
-CROWDED = 1.0
-"""Where others stand in its place, a walker settles for this near to it [m]."""
 
 SIDESTEP = 0.7
 """How far a walker that is stuck steps aside before it goes on [m]."""
@@ -81,7 +83,8 @@ class Crowd:
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._sidesteps = 0
-        self._settled: list[Point | None] = [None] * n
+        self._end = np.zeros((n, 2))
+        self._settled = np.full((n, 2), np.nan)
         self._moving = False
         self._where: list[Point] | None = None
         self._stand(np.zeros((n, 2)))
@@ -98,7 +101,7 @@ class Crowd:
         self._pace[:] = 0.0
         self._sidesteps = 0
         self._ways = [[] for _ in self._ways]
-        self._settled = [None] * len(self._ways)
+        self._settled[:] = np.nan
         self.walk_began[:] = np.nan
         self._moving = False
 
@@ -132,10 +135,20 @@ class Crowd:
         """
         if self.walks(i):
             return math.dist(self._ways[i][-1], goal) <= DRIFT
+        crowded = math.dist(self._settled[i].tolist(), goal) <= DRIFT
         away = math.dist(self.where[i], goal)
-        settled = self._settled[i]
-        crowded = settled is not None and math.dist(settled, goal) <= DRIFT
         return away <= (CROWDED if crowded else DRIFT)
+
+    def bound_for(self, goals: Array) -> NDArray[np.bool_]:
+        """For each of the first bodies the same as `is_bound_for`.
+
+        Args:
+            goals: One for each of these bodies, NaN for none, shape (m, 2) [m].
+
+        Returns:
+            Shape (m,).
+        """
+        return bound_for(goals, self.position, self._pace, self._end, self._settled)
 
     def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
@@ -156,7 +169,7 @@ class Crowd:
             self.walk_began[i] = now
         self._take(i, way)
         self._pace[i] = self._speed[i]
-        self._settled[i] = None
+        self._settled[i] = math.nan
         return True
 
     def halt(self, i: int) -> None:
@@ -209,7 +222,7 @@ class Crowd:
 
     def _take(self, i: int, way: Waypoints) -> None:
         """Heads for the first waypoint of a way."""
-        self._ways[i] = way
+        self._ways[i], self._end[i] = way, way[-1]
         self._waypoint[i] = way[0]
         self._near[i] = PASSED if len(way) > 1 else ARRIVED
         self._nearest[i] = math.inf

@@ -20,6 +20,12 @@ PROGRESS = 0.05
 STUCK = 2.0
 """Time without progress after which a walker tries another way [s]."""
 
+DRIFT = 0.1
+"""How far a body lets itself be pushed before it steps back to its place [m]."""
+
+CROWDED = 1.0
+"""Where others stand in its place, a walker settles for this near to it [m]."""
+
 NECK = np.pi / 2
 """How far a head turns from the body [rad]."""
 
@@ -129,6 +135,40 @@ def follow_up(
             stalled[i] += period
             due[i] = stalled[i] >= STUCK
     return np.flatnonzero(due), moved
+
+
+@compiled
+def bound_for(
+    goals: Array, position: Array, pace: Array, end: Array, settled: Array
+) -> NDArray[np.bool_]:
+    """Who is at a point, on its way there, or as near as others let it.
+
+    Args:
+        goals: The points, one for each of the first m bodies, shape (m, 2) [m]; NaN:
+            none, for which nobody is bound.
+        position: Shape (n, 2) [m].
+        pace: Shape (n,) [m/s]; 0: stands.
+        end: Where the walk of each that walks ends, shape (n, 2) [m].
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+
+    Returns:
+        Shape (m,).
+    """
+    bound = np.empty(len(goals), np.bool_)
+    for i in range(len(goals)):
+        if pace[i] > 0.0:
+            bound[i] = _apart(end[i], goals[i]) <= DRIFT
+        else:
+            crowded = _apart(settled[i], goals[i]) <= DRIFT
+            most = CROWDED if crowded else DRIFT
+            bound[i] = _apart(position[i], goals[i]) <= most
+    return bound
+
+
+@compiled
+def _apart(a: Array, b: Array) -> float:
+    """Distance between two points [m]; NaN if one of them is unknown."""
+    return np.hypot(a[0] - b[0], a[1] - b[1])
 
 
 @compiled

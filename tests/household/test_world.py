@@ -263,6 +263,32 @@ def test_who_stands_in_the_way_is_walked_round(room, crowd_in):
     assert math.dist(crowd.position[1], (4.0, 2.5)) < 0.5
 
 
+def test_all_are_asked_at_once_for_where_they_are_bound(room, crowd_in):
+    crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5), (6.0, 1.0), (7.0, 4.0)])
+    assert crowd.send(1, (4.0, 4.0), 0.0)
+    standing, walking = (1.05, 2.5), (4.0, 4.0)
+    goals = np.array([standing, walking, (6.15, 1.0)])
+    np.testing.assert_array_equal(crowd.bound_for(goals), [True, True, False])
+    np.testing.assert_array_equal(
+        crowd.bound_for(np.array([walking, (4.0, 2.5), (np.nan, np.nan)])),
+        [False, False, False],
+    )
+
+
+def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
+    radius, mass = np.full(2, PERSON), np.array([70.0, 1e6])
+    crowd = Crowd(room(), radius, mass, np.full(2, 1.2), 0.2, 0.1)
+    crowd.place(np.array([(1.0, 2.5), (4.0, 2.5)]), np.zeros(2))
+    assert crowd.send(0, (4.0, 2.5), 0.0)
+    for _ in range(100):
+        crowd.advance()
+    assert not crowd.walks(0)
+    assert 0.1 < math.dist(crowd.where[0], (4.0, 2.5)) <= 1.0
+    for goal, bound in (((4.0, 2.5), True), ((3.2, 2.5), False)):
+        assert crowd.is_bound_for(0, goal) == bound
+        assert crowd.bound_for(np.array([goal]))[0] == bound
+
+
 def test_heads_turn_no_faster_than_they_can_and_the_shorter_way(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
     crowd.gaze[:] = math.radians(170.0), 0.0
