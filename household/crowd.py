@@ -182,16 +182,17 @@ class Crowd:
         """Lets one steering period pass."""
         if not (self._moving or self._pace.any()):
             return
-        velocity = steer(
-            self.position,
+        before = self.position
+        steer(
+            before,
             self._waypoint,
             self._pace,
             self._radius,
             self._period,
             self.heading,
+            self._world.velocity,
         )
-        before = self.position
-        self._stand(self._world.advance(velocity, self._tick, self._ticks))
+        self._stand(self._world.advance(self._tick, self._ticks))
         # Bodies that were pushed come to rest in the period after.
         due, self._moving = follow_up(
             before,

@@ -41,8 +41,9 @@ def steer(
     radius: Array,
     period: float,
     heading: Array,
-) -> Array:
-    """Velocities that lead walkers to their waypoints, keeping to the right.
+    velocity: Array,
+) -> None:
+    """Sets velocities that lead walkers to their waypoints, keeping to the right.
 
     A walker slows down only to end on its waypoint. Where a body is in its way, it
     turns to its right in proportion to how near that body is, so that two who meet
@@ -56,12 +57,10 @@ def steer(
         period: Time until the next steering [s].
         heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
             place, where they go.
-
-    Returns:
-        Shape (n, 2) [m/s].
+        velocity: Set to what each walks with, 0 who stands, shape (n, 2) [m/s].
     """
     n = position.shape[0]
-    velocity = np.zeros((n, 2))
+    velocity[:] = 0.0
     for i in range(n):
         dx = waypoint[i, 0] - position[i, 0]
         dy = waypoint[i, 1] - position[i, 1]
@@ -86,7 +85,6 @@ def steer(
         velocity[i, 0] = pace * vx / norm
         velocity[i, 1] = pace * vy / norm
         heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
-    return velocity
 
 
 @compiled

@@ -27,6 +27,10 @@ class World:
         plan: The home.
         radius: Of each body, shape (n,) [m].
         mass: Of each body, shape (n,) [kg].
+
+    Attributes:
+        velocity: What each body sets out with when it next moves, for the owner to
+            fill in, shape (n, 2) [m/s].
     """
 
     def __init__(self, plan: FloorPlan, radius: Array, mass: Array) -> None:
@@ -39,13 +43,12 @@ class World:
         walls = len(plan.wall_segments)
         self._thickness = np.zeros(len(self._solid))
         self._thickness[:walls] = plan.wall_thickness / 2
-        self._position = np.zeros((len(radius), 2))
         self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
-        self._read_buffer = pymunk.batch.Buffer()
-        self._write_buffer = pymunk.batch.Buffer()
-        self._rows = self._batch_rows()
-        self._velocity = np.zeros((len(self._bodies) + 1, 2))
-        self._write_buffer.set_float_buf(self._velocity)
+        rows = self._batch_rows()
+        places, self._place_buffer = self._batch()
+        velocities, self._velocity_buffer = self._batch()
+        self._place, self.velocity = places[rows], velocities[rows]
+        self._position = self._place.copy()
 
     def _add_home(self, plan: FloorPlan) -> None:
         ground = self.space.static_body
@@ -72,6 +75,13 @@ class World:
             raise RuntimeError("Pymunk's batches hold bodies in an order of their own")
         return rows
 
+    def _batch(self) -> tuple[Array, pymunk.batch.Buffer]:
+        """Two numbers for each body and the ground, shared with Pymunk."""
+        # The last row is spare: Pymunk would move an array that becomes full elsewhere.
+        batch, buffer = np.zeros((len(self._bodies) + 2, 2)), pymunk.batch.Buffer()
+        buffer.set_float_buf(batch)
+        return batch, buffer
+
     def place(self, position: Array) -> None:
         """Puts every body somewhere, at rest.
 
@@ -82,44 +92,41 @@ class World:
             body.position = float(x), float(y)
             body.velocity = 0.0, 0.0
             self.space.reindex_shapes_for_body(body)
-        self._position = self._read()
+        self._read()
+        self._position = self._place.copy()
 
-    def _read(self) -> Array:
-        """Where every body is, a new array of shape (n, 2) [m]."""
-        self._read_buffer.clear()
+    def _read(self) -> None:
+        """Brings up to date where every body is."""
+        self._place_buffer.clear()
         pymunk.batch.get_space_bodies(
-            self.space, BodyFields.POSITION, self._read_buffer
+            self.space, BodyFields.POSITION, self._place_buffer
         )
-        batch = np.frombuffer(self._read_buffer.float_buf(), dtype=np.float64)
-        return batch.reshape(-1, 2)[self._rows].copy()
 
-    def advance(self, velocity: Array, tick: float, ticks: int) -> Array:
+    def advance(self, tick: float, ticks: int) -> Array:
         """Moves every body for some ticks.
 
         Args:
-            velocity: What each body sets out with, shape (n, 2) [m/s].
             tick: Length of a tick [s].
             ticks: How many.
 
         Returns:
-            Where every body is then, shape (n, 2) [m].
+            Where every body is then, a new array of shape (n, 2) [m].
         """
-        self._velocity[self._rows] = velocity
         pymunk.batch.set_space_bodies(
-            self.space, BodyFields.VELOCITY, self._write_buffer
+            self.space, BodyFields.VELOCITY, self._velocity_buffer
         )
         for _ in range(ticks):
             self.space.step(tick)
-        after = self._read()
+        self._read()
         sunk = keep_out(
             self._position,
-            after,
+            self._place,
             self._radius,
             self._solid,
             self._thickness,
             self._boxes,
         )
-        for i in sunk:
-            self._bodies[i].position = float(after[i, 0]), float(after[i, 1])
-        self._position = after
-        return after
+        for i in sunk.tolist():
+            self._bodies[i].position = self._place[i].tolist()
+        self._position = self._place.copy()
+        return self._position
