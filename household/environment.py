@@ -85,6 +85,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.behaviors = self.scenario.behaviors
         self.possible_agents = list(self.scenario.robot_names)
         self.agents: list[str] = []
+        self._begun = False
         self._index = {agent: i for i, agent in enumerate(self.possible_agents)}
         self.life = Life(self.scenario, make_minds)
         self._situations = SituationReader(self.scenario)
@@ -120,6 +121,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         self.agents = list(self.possible_agents)
         self.life.begin(seed)
+        self._begun = True
         self._show()
         return self._observations(), {agent: {} for agent in self.agents}
 
@@ -188,10 +190,11 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         Raises:
             HouseholdError: If an action is none of the behaviors.
         """
-        choices = {}
-        for agent in self._index.keys() & actions.keys():
-            choices[self._index[agent]] = self._behavior(agent, actions[agent])
-        return choices
+        return {
+            self._index[agent]: self._behavior(agent, action)
+            for agent, action in actions.items()
+            if agent in self._index
+        }
 
     def _behavior(self, agent: str, action: int) -> int:
         """An action as the index of a behavior."""
@@ -208,16 +211,18 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
-        observations = self._observations()
-        rewards, infos = {}, {}
+        observations, rewards, infos = self._observations(), {}, {}
         for agent in self.agents:
-            touches = self.feedback(agent)
-            rewards[agent] = float(sum(touch.value for touch in touches))
+            reward, caresses, touches = 0.0, 0, self.feedback(agent)
+            for touch in touches:
+                reward += touch.value
+                caresses += touch.kind == "caress"
+            rewards[agent] = reward
             infos[agent] = {
                 "situation": self.situation(agent),
                 "feedback": touches,
-                "caresses": sum(touch.kind == "caress" for touch in touches),
-                "taps": sum(touch.kind == "tap" for touch in touches),
+                "caresses": caresses,
+                "taps": len(touches) - caresses,
             }
         terminations = dict.fromkeys(self.agents, False)
         truncations = dict.fromkeys(self.agents, over)
@@ -227,14 +232,28 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _observations(self) -> dict[str, Observation]:
         rows = self._encoding.encode(self.life.view())
-        return {agent: rows[self._index[agent]] for agent in self.agents}
+        return dict(zip(self.agents, rows, strict=True))
 
     def state(self) -> NDArray[np.float32]:
-        """What all robots observe together, for centralized critics."""
+        """What all robots observe together, for centralized critics.
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
         return self._features.encode(self.life.view()).reshape(-1)
 
+    def _check_begun(self) -> None:
+        if not self._begun:
+            raise HouseholdError("nobody is at home yet: call reset() first")
+
     def situation(self, agent: str) -> Situation:
-        """The situation as a robot sees it now."""
+        """The situation as a robot sees it now.
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
         activity, attends = self.life.people.activity, self.life.senses.attends
         return self._situations.seen_by(self._index[agent], activity, attends)
 
@@ -255,7 +274,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self.life.robots.is_over(self._index[agent], self.time)
 
     def attended(self, agent: str) -> bool:
-        """Whether any person attends to a robot."""
+        """Whether any person attends to a robot.
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
         n = len(self.life.people.everyone)
         return bool(self.life.senses.attends[:n, n + self._index[agent]].any())
 
@@ -267,11 +291,20 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
         Returns:
             Shape (n_behaviors,), in [-1, 1].
+
+        Raises:
+            HouseholdError: Before the first reset.
         """
+        self._check_begun()
         return self.life.appropriateness(self._index[agent])
 
     def opinion(self, agent: str) -> dict[str, int]:
-        """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1)."""
+        """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1).
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
         robot = self._index[agent]
         return {p.name: p.opinion(robot) for p in self.life.people.everyone}
 

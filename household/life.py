@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.crowd import Crowd
-from household.observation import View
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
 from household.people.mind import Wish
@@ -21,6 +20,7 @@ from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import MOST_PEOPLE, Scenario
 from household.streams import Draws, Streams
+from household.telling import View
 
 Array = NDArray[np.float64]
 
@@ -210,19 +210,18 @@ class Life:
 
     def view(self) -> View:
         """What robots may know of this moment."""
-        n = self._n_people
-        position, senses = self.crowd.position, self.senses
+        senses, robots = self.senses, self.robots
         return View(
-            offset=position[None, :, :] - position[n:, None, :],
+            position=self.crowd.position,
+            angle=senses.angle,
+            attends=senses.attends,
+            attention=senses.attention,
+            walking=self.crowd.walking,
             activity=self.people.activity,
-            walking=self.crowd.walking[:n],
-            attends=senses.attends[:n, n:],
-            attention=senses.attention[:n, n:],
-            facing=np.cos(senses.angle[:n, n:]),
             mood=self.moods,
-            behavior=self.robots.behaviors,
-            left=self.robots.left(self.time),
-            touches=self.robots.felt,
+            behavior=robots.behaviors,
+            left=robots.left(self.time),
+            touches=robots.felt,
         )
 
     def appropriateness(self, robot: int, *, on_average: bool = False) -> Array:

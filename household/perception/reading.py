@@ -1,5 +1,6 @@
 """Reading situations off activities and attention, as each robot sees them."""
 
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -9,8 +10,17 @@ from household.activity import ACTIVITY_NAMES
 from household.perception.situation import Situation
 from household.scenario import Scenario
 
+Mask = NDArray[np.bool_]
+
 KEPT = 4096
 """So many situations are remembered: they recur, and each is put together once."""
+
+LOOKS: dict[str, Callable[[Mask, int, int], Mask]] = {
+    "none": lambda attends, n_people, target: attends[:0],
+    "robot": lambda attends, n_people, target: attends[:n_people, target],
+    "all": lambda attends, n_people, target: attends,
+}
+"""Who attends to whom in situations, by the scenario's name for it."""
 
 
 class SituationReader:
@@ -24,11 +34,12 @@ class SituationReader:
         self._names = (*scenario.person_names, *scenario.robot_names)
         self._n_people = len(scenario.people)
         self._attention = scenario.situation.attention
+        self._looks = LOOKS[self._attention]
         self._plays = lru_cache(maxsize=KEPT)(self._make_plays)
         self._situation = lru_cache(maxsize=KEPT)(self._make_situation)
 
     def seen_by(
-        self, robot: int, activity: NDArray[np.int_], attends: NDArray[np.bool_]
+        self, robot: int, activity: NDArray[np.int_], attends: Mask
     ) -> Situation:
         """The situation as one robot sees it.
 
@@ -37,10 +48,9 @@ class SituationReader:
             activity: The role of each person, shape (n_people,).
             attends: Who attends to whom, people first, shape (n, n).
         """
-        n, target = self._n_people, self._n_people + robot
-        who = {"none": attends[:0], "robot": attends[:n, target], "all": attends}
-        chosen = who[self._attention]
-        return self._situation(activity.tobytes(), chosen.tobytes(), target)
+        target = self._n_people + robot
+        looks = self._looks(attends, self._n_people, target)
+        return self._situation(activity.tobytes(), looks.tobytes(), target)
 
     def _make_situation(
         self, activity: bytes, attends: bytes, target: int

@@ -314,12 +314,31 @@ def test_what_evaluation_reads_stays_in_its_range(make):
             assert all(1 <= x <= 10 for x in env.opinion(agent).values())
 
 
-@pytest.mark.parametrize("action", [-1, 99])
+@pytest.mark.parametrize("action", [-1, 2, 0.0, "sleep", None])
 def test_an_action_that_is_no_behavior_is_refused_in_one_line(action):
     env = household_v0.parallel_env()
     env.reset(seed=1)
     with pytest.raises(HouseholdError, match=r"robot_0: .*allowed: 0 to 1$"):
         env.step({"robot_0": action})
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda env: env.state(),
+        lambda env: env.situation("robot_0"),
+        lambda env: env.attended("robot_0"),
+        lambda env: env.appropriateness("robot_0"),
+        lambda env: env.opinion("robot_0"),
+    ],
+    ids=["state", "situation", "attended", "appropriateness", "opinion"],
+)
+def test_what_is_not_there_before_the_first_reset_says_what_to_do(ask):
+    env = household_v0.parallel_env()
+    with pytest.raises(HouseholdError, match=r"^nobody is at home yet: .*reset\(\)"):
+        ask(env)
+    env.reset(seed=1)
+    ask(env)
 
 
 @pytest.mark.parametrize(

@@ -7,10 +7,11 @@ import pytest
 
 from household import household_v0
 from household.activity import Activity
-from household.observation import layout
+from household.observation import Features, fields, layout
 from household.records import shipped
 from household.scenario import PersonSpec, RobotSpec, ScriptStep
 from household.scenario_check import load_scenario
+from household.telling import REACH, View
 
 # One flag for each slot, 1 where somebody is and 0 in padding: all that stands still.
 FLAGS = ("person_here", "robot_here")
@@ -50,6 +51,89 @@ def test_every_element_is_finite_and_has_bounds_that_differ(shipped_scenario):
     assert np.isfinite(space.low).all()
     assert np.isfinite(space.high).all()
     assert (space.low < space.high).all()
+
+
+@pytest.fixture
+def three_and_three(household_of):
+    """Three people and three robots, in slots for five and four."""
+    return household_of(
+        people=(person("ann"), person("bob", "rug"), person("cat")),
+        robots=tuple(RobotSpec(position=(3.0 + i, 2.5)) for i in range(3)),
+        norms={},
+        slots={"people": 5, "robots": 4},
+    )
+
+
+def random_view(rng, n_people=3, n_robots=3):
+    """A moment in which no two numbers are alike."""
+    n = n_people + n_robots
+    return View(
+        position=rng.uniform(-8.0, 8.0, (n, 2)),
+        angle=rng.uniform(0.0, np.pi, (n, n)),
+        attends=rng.random((n, n)) < 0.5,
+        attention=rng.random((n, n)),
+        walking=rng.random(n) < 0.5,
+        activity=rng.integers(len(Activity), size=n_people),
+        mood=rng.uniform(-1.0, 1.0, (n_robots, n_people)),
+        behavior=rng.integers(-1, 2, size=n_robots),
+        left=rng.random(n_robots),
+        touches=rng.random((n_robots, 2)),
+    )
+
+
+def expected(view, robot):
+    """What the table's fields should hold, slot by slot, without compiled code."""
+    n = len(view.activity)
+    me, others = n + robot, [j for j in range(3) if j != robot]
+    offset = np.clip((view.position - view.position[me]) / REACH, -1.0, 1.0)
+    # Index -1, of a robot that does nothing, takes the row without a one.
+    behaviors = np.eye(3, 2)[view.behavior]
+    return {
+        "own_behavior": behaviors[robot],
+        "own_time_left": view.left[robot],
+        "own_touches": view.touches[robot],
+        "person_here": np.ones(n),
+        "person_offset": offset[:n],
+        "person_activity": np.eye(len(Activity))[view.activity],
+        "person_walks": view.walking[:n],
+        "person_attends": view.attends[:n, me],
+        "person_attention": view.attention[:n, me],
+        "person_faces": np.cos(view.angle[:n, me]),
+        "person_mood": view.mood[robot],
+        "robot_here": np.ones(2),
+        "robot_offset": offset[[n + j for j in others]],
+        "robot_behavior": behaviors[others],
+    }
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_every_field_stands_where_the_table_says_and_padding_is_zero(
+    three_and_three, seed
+):
+    scenario = load_scenario(three_and_three)
+    encoding, view = Features(scenario), random_view(np.random.default_rng(seed))
+    rows = encoding.encode(view)
+    names = [field.name for field in fields(len(scenario.behaviors))]
+    for robot, row in enumerate(rows):
+        values = expected(view, robot)
+        assert list(values) == names
+        assert encoding.space.contains(row)
+        for name, part in encoding.layout.items():
+            there = np.ravel(values[name]).astype(np.float32)
+            np.testing.assert_allclose(row[part][: there.size], there, rtol=1e-6)
+            assert not row[part][there.size :].any()
+
+
+def test_encoding_a_moment_again_makes_new_arrays_and_leaves_it_alone(three_and_three):
+    encoding = Features(load_scenario(three_and_three))
+    view = random_view(np.random.default_rng(1))
+    before = [np.copy(part) for part in view]
+    first, second = encoding.encode(view), encoding.encode(view)
+    assert not np.shares_memory(first, second)
+    np.testing.assert_array_equal(first, second)
+    for part, copy in zip(view, before, strict=True):
+        assert not np.shares_memory(first, part)
+        np.testing.assert_array_equal(part, copy)
 
 
 def test_the_first_observation_is_as_worked_by_hand(two_and_two):
