@@ -7,19 +7,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from household.environment import Household
-from household.people.mind import Intention, Mind, Percept
+from household.people.mind import Intentions, Minds, Percepts
+from household.people.traits import traits_of
 from household.records import shipped
 from household.scenario import PersonSpec, RobotSpec, Scenario
 from policies.people import make_minds
 from policies.people.giving import calls_for_feedback
-
-if TYPE_CHECKING:
-    from household.people.persona import Persona
 
 HOURS, SEEDS = 1, 3
 """Each persona is watched for this long with each of the first seeds."""
@@ -30,25 +27,25 @@ HEADER = (
 )
 
 
-class Witness(Mind):
+class Witness(Minds):
     """Counts what a person thinks and leaves its decisions as they are."""
 
-    def __init__(self, mind: Mind, persona: Persona, counts: Counter[str]) -> None:
-        self._mind = mind
-        self._persona = persona
+    def __init__(self, scenario: Scenario, counts: Counter[str]) -> None:
+        self._minds = make_minds(scenario)
+        (self._traits,) = traits_of(scenario.personas)
         self._counts = counts
 
-    def reset(self, rng: np.random.Generator) -> Intention:
+    def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """As the mind itself."""
-        return self._mind.reset(rng)
+        return self._minds.reset(rngs)
 
-    def decide(self, percept: Percept) -> Intention:
+    def decide(self, percepts: Percepts) -> Intentions:
         """As the mind itself; bouts that call for no feedback are not counted."""
-        for judgement in percept.judgements:
-            if calls_for_feedback(self._persona, judgement):
-                name = "pleased" if judgement.value > 0.0 else "annoyed"
-                self._counts[name] += 1
-        return self._mind.decide(percept)
+        new, values, _, attending = percepts.judgements
+        for value, attends in zip(values[new], attending[new], strict=True):
+            if calls_for_feedback(value, attends, self._traits):
+                self._counts["pleased" if value > 0.0 else "annoyed"] += 1
+        return self._minds.decide(percepts)
 
 
 def watch(persona: str, seed: int) -> Counter[str]:
@@ -64,11 +61,7 @@ def watch(persona: str, seed: int) -> Counter[str]:
     """
     counts: Counter[str] = Counter()
 
-    def witnessed(scenario: Scenario) -> Sequence[Mind]:
-        pairs = zip(make_minds(scenario), scenario.personas, strict=True)
-        return [Witness(mind, one, counts) for mind, one in pairs]
-
-    env = Household(_at_home(persona), witnessed)
+    env = Household(_at_home(persona), lambda scenario: Witness(scenario, counts))
     env.reset(seed=seed)
     rng = np.random.default_rng(seed)
     while env.agents:

@@ -305,8 +305,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        robot = self._index[agent]
-        return {p.name: p.opinion(robot) for p in self.life.people.everyone}
+        return self.life.people.opinions(self._index[agent])
 
 
 def _repeated(space: spaces.Box, times: int) -> spaces.Box:

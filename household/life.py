@@ -80,6 +80,7 @@ class Life:
             [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         )
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
+        self._target = np.zeros(n_people + n_robots)
         self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)
@@ -130,9 +131,8 @@ class Life:
         self.decision += 1
         self._look_around(self._head_turn * self._scenario.decision_period)
         self._perceive()
-        judgements = self.people.judge(self.senses, self.robots, self.time)
-        clock = (self.time, self._scenario.decision_period)
-        self.people.decide(self.crowd, self.senses, judgements, clock)
+        self.people.judge(self.senses, self.robots)
+        self.people.decide(self.crowd, self.senses, self.robots, self.time)
 
     def _move_robots(self) -> None:
         """Robots move as their behaviors have it; who is done stands still."""
@@ -176,24 +176,23 @@ class Life:
             attention_began=_known(self.senses.attention_began[i, j]),
         )
         self.robots.feel(wish.robot, feedback, wish.cause)
-        person.touched = True
+        self.people.touched[i] = True
         self.crowd.halt(i)
 
     def _look_around(self, most: Array) -> None:
         """Everybody turns its head towards what it wants to look at."""
-        robots = self.crowd.heading[self._n_people :]
-        target = np.concatenate([self.people.gaze_targets(self.crowd), robots])
-        self.crowd.turn_heads(target, most)
+        n = self._n_people
+        self._target[:n] = self.people.gaze_targets(self.crowd)
+        self._target[n:] = self.crowd.heading[n:]
+        self.crowd.turn_heads(self._target, most)
 
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self._scenario.decision_period
-        people, robots = self.people, self.robots
-        n_people = len(people.everyone)
-        people.locate(self.crowd.position[:n_people])
-        self._half_view[:n_people] = [p.half_view for p in people.everyone]
-        self._salience[n_people:] = robots.salience(since)
-        self._source[n_people:] = robots.sources(since)
+        n = self._n_people
+        self.people.locate(self.crowd.position)
+        self._half_view[:n] = self.people.half_views()
+        self.robots.show(since, self._salience[n:], self._source[n:])
         self.senses.perceive(
             position=self.crowd.position,
             gaze=self.crowd.gaze,
@@ -203,10 +202,9 @@ class Life:
             source=self._source,
             now=self.time,
         )
-        moods = np.array([person.mood for person in people.everyone])
-        noise = self._noise.next()[:, :n_people]
-        misread = self._scenario.perception.mood_noise * noise
-        self.moods = np.minimum(np.maximum(moods + misread, -1.0), 1.0)
+        misread = self._scenario.perception.mood_noise * self._noise.next()[:, :n]
+        moods = self.people.feelings.mood + misread
+        self.moods = np.minimum(np.maximum(moods, -1.0), 1.0)
 
     def view(self) -> View:
         """What robots may know of this moment."""

@@ -102,22 +102,21 @@ def snapshot(home: "Household") -> Snapshot:
     Only what the environment changes in place is copied; it makes the rest anew.
     """
     crowd, senses, robots = home.life.crowd, home.life.senses, home.life.robots
-    everyone, bouts = home.life.people.everyone, robots.bouts
-    touched = any(robots.feedback)
+    people, touched = home.life.people, robots.touched
     return Snapshot(
         decision=home.decision,
         time=home.time,
         position=crowd.position,
         heading=crowd.heading.copy(),
         gaze=crowd.gaze,
-        half_view=np.array([person.half_view for person in everyone]),
-        activity=home.life.people.activity,
-        attends=senses.attends,
-        attention=senses.attention,
-        mood=np.array([person.mood for person in everyone]),
-        behavior=np.array([bout.behavior for bout in bouts]),
-        begun=np.array([bout.decision for bout in bouts]),
-        reward=_rewards(robots) if touched else np.zeros(len(bouts)),
+        half_view=people.half_views(),
+        activity=people.activity.copy(),
+        attends=senses.attends.copy(),
+        attention=senses.attention.copy(),
+        mood=people.feelings.mood.copy(),
+        behavior=robots.behaviors.copy(),
+        begun=robots.begun.copy(),
+        reward=_rewards(robots) if touched else np.zeros(len(robots.names)),
         touches=_touches(home) if touched else (),
     )
 

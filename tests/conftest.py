@@ -6,7 +6,8 @@ import pytest
 
 from household.activity import Activity
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
-from household.people.mind import Percept
+from household.people.feedback import Cause
+from household.people.mind import Judgements, Percepts
 from household.records import shipped
 from household.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
 
@@ -78,24 +79,50 @@ def household_of(room):
 
 
 @pytest.fixture(scope="session")
-def percept():
-    """Makes what somebody perceives in a quiet moment: two people and two robots."""
+def percepts():
+    """Makes what people perceive in a quiet moment, everybody the same.
 
-    def make(**changes: object) -> Percept:
-        usual = {
-            "time": 0.0,
-            "period": 1.0,
-            "activity": Activity.PLAYING,
-            "arrived": True,
-            "touched": False,
-            "mood": 0.0,
-            "judgements": (),
-            "pleasing": np.zeros(2, dtype=bool),
-            "moving": np.zeros(2, dtype=bool),
-            "sees": np.zeros(4, dtype=bool),
-            "level": np.zeros(4),
+    ``bouts`` are what each judges now: (value, robot, whether it attended to it).
+    """
+
+    def make(
+        n: int = 2,
+        robots: int = 2,
+        bouts: tuple[tuple[float, int, bool], ...] = (),
+        **changes: object,
+    ) -> Percepts:
+        judgements = Judgements(
+            new=np.zeros((n, robots), dtype=bool),
+            value=np.zeros((n, robots)),
+            believed=np.zeros((n, robots), dtype=np.intp),
+            attending=np.zeros((n, robots), dtype=bool),
+        )
+        for place, bout in enumerate(bouts):
+            for array, told in zip(judgements, (True, *bout), strict=True):
+                array[:, place] = told
+        shapes = {
+            "activity": (int(Activity.PLAYING), np.intp, (n,)),
+            "arrived": (True, bool, (n,)),
+            "touched": (False, bool, (n,)),
+            "mood": (0.0, float, (n,)),
+            "pleasing": (False, bool, (n, robots)),
+            "moving": (False, bool, (robots,)),
+            "sees": (False, bool, (n, n + robots)),
+            "level": (0.0, float, (n, n + robots)),
         }
-        return Percept(**(usual | changes))
+        arrays = {
+            name: np.broadcast_to(
+                np.asarray(changes.pop(name, usual), dtype=kind), shape
+            ).copy()
+            for name, (usual, kind, shape) in shapes.items()
+        }
+        clock = {"time": 0.0, "period": 1.0}
+        return Percepts(
+            judgements=judgements,
+            cause=lambda robot, now: Cause(f"robot_{robot}", 7, 0, now),
+            **arrays,
+            **(clock | changes),
+        )
 
     return make
 

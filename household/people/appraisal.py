@@ -4,16 +4,11 @@ A person judges each bout of behavior once, when it first sees or hears it well
 enough: its preference times how strongly it perceived the bout.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import NDArray
 
+from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.feedback import Cause
-
-Array = NDArray[np.float64]
-
+from household.people.traits import Traits
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""
@@ -25,25 +20,8 @@ SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
 
 
-@dataclass(frozen=True, slots=True)
-class Judgement:
-    """What a person thinks of one bout.
-
-    Attributes:
-        robot: Index of the robot that the person believes it was.
-        value: The appraisal, in [-1, 1].
-        attending: Whether the person attended to that robot.
-        cause: The bout itself; travels along unread, for evaluation.
-    """
-
-    robot: int
-    value: float
-    attending: bool
-    cause: Cause
-
-
 @compiled
-def heard_strength(level: Array | float) -> Array:
+def heard_strength(level: Floats | float) -> Floats:
     """How strongly sounds are heard, in [0, 1].
 
     Args:
@@ -53,7 +31,7 @@ def heard_strength(level: Array | float) -> Array:
 
 
 @compiled
-def seen_strength(attention: Array | float) -> Array:
+def seen_strength(attention: Floats | float) -> Floats:
     """How strongly things are seen, in [0, 1].
 
     Args:
@@ -63,63 +41,65 @@ def seen_strength(attention: Array | float) -> Array:
 
 
 @compiled
-def appraisals(
-    preferences: Array,
-    activity: NDArray[np.int_],
-    doing: NDArray[np.intp],
-    attends: NDArray[np.bool_],
-    attention: Array,
-    level: Array,
-    hears_from: Array,
-) -> Array:
-    """What everybody thinks of what each robot does: preference x how well perceived.
+def appraise(
+    new: Mask,
+    value: Floats,
+    believed: Indices,
+    attending: Mask,
+    pleasing: Mask,
+    judged: Indices,
+    activity: Indices,
+    eyes_open: Mask,
+    doing: Indices,
+    begun: Indices,
+    attends: Mask,
+    attention: Floats,
+    sees: Mask,
+    level: Floats,
+    preferences: Floats,
+    traits: Traits,
+) -> None:
+    """Everybody appraises what each robot does: preference x how well perceived.
+
+    Bouts that somebody appraised before are not new to it. It blames the robot that
+    it saw, else the loudest that it hears.
 
     Args:
-        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        new: As in `Judgements`, like the three that follow; all filled in.
+        value: 0 for what is not perceived.
+        believed: Shape (n_people, n_robots).
+        attending: Shape (n_people, n_robots).
+        pleasing: Whether each robot does what pleases each person, (n_people,
+            n_robots); filled in.
+        judged: Decision at which the bout of each robot began that each person last
+            judged, shape (n_people, n_robots); brought up to date in place.
         activity: What each person does, shape (n_people,).
+        eyes_open: Who is awake, shape (n_people,); sleepers hear only what wakes them.
         doing: Index of each robot's behavior, -1 for none, shape (n_robots,).
-        attends: Who attends to which robot, shape (n_people, n_robots).
-        attention: How much, shape (n_people, n_robots).
-        level: How loud each person hears each robot, (n_people, n_robots) [dB].
-        hears_from: Level from which each person hears at all, (n_people,) [dB].
-
-    Returns:
-        Shape (n_people, n_robots), in [-1, 1]; 0 for what is not perceived.
+        begun: Decision at which each robot began it, shape (n_robots,).
+        attends: Who attends to whom, people first, shape (n, n).
+        attention: How much, shape (n, n).
+        sees: Who sees whom, shape (n, n).
+        level: How loud each hears each, shape (n, n) [dB].
+        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        traits: Of each person, shape (n_people,).
     """
-    value = np.zeros(attention.shape)
-    for i in range(len(activity)):
-        for r in range(len(doing)):
+    n_people, n_robots = value.shape
+    for i in range(n_people):
+        loudest = level[i, n_people:].argmax()
+        hears_from = 0.0 if eyes_open[i] else traits[i].wakes_at
+        for r in range(n_robots):
+            j = n_people + r
+            value[i, r] = 0.0
             if doing[r] >= 0:
-                loud = level[i, r] if level[i, r] >= hears_from[i] else 0.0
-                seen, heard = seen_strength(attention[i, r]), heard_strength(loud)
-                looks = int(attends[i, r])
+                loud = level[i, j] if level[i, j] >= hears_from else 0.0
+                seen, heard = seen_strength(attention[i, j]), heard_strength(loud)
+                looks = int(attends[i, j])
                 liked = preferences[i, activity[i], looks, doing[r]]
                 value[i, r] = max(seen, heard) * liked
-    return value
-
-
-def moved_mood(mood: float, appraisal: float, change: float) -> float:
-    """The mood after an appraisal: a step towards the appraisal's end of the scale.
-
-    Args:
-        mood: In [-1, 1].
-        appraisal: In [-1, 1]; 0 moves nothing.
-        change: Share of the way for an appraisal of 1 or -1.
-    """
-    end = 1.0 if appraisal > 0 else -1.0
-    return mood + change * abs(appraisal) * (end - mood)
-
-
-def opinion(pleased: float, annoyed: float) -> int:
-    """A questionnaire answer from 1, autistic, to 10, sociable (paper, 4.1).
-
-    Args:
-        pleased: Sum of the positive appraisals lived through.
-        annoyed: Sum of the negative ones, as a positive number.
-
-    Returns:
-        The pleased share of all, on a scale of 1 to 10. Two neutral appraisals of
-        each kind stand at the beginning, so that hardly any experience answers 5.
-    """
-    share = (pleased + 1.0) / (pleased + annoyed + 2.0)
-    return 1 + min(9, int(share * 9 + 0.5))
+            new[i, r] = value[i, r] != 0.0 and judged[i, r] != begun[r]
+            if new[i, r]:
+                judged[i, r] = begun[r]
+            believed[i, r] = r if sees[i, j] else loudest
+            attending[i, r] = attends[i, j]
+            pleasing[i, r] = value[i, r] > 0.0

@@ -1,23 +1,23 @@
-"""The seam between a simulated person and what decides for it.
+"""The seam between simulated people and what decides for them.
 
-The environment tells a mind what its person perceives, and the mind answers with an
-intention for the next decision period. Minds live in ``policies``; the environment
-knows only this contract.
+The environment tells minds what their people perceive, and they answer with what each
+intends for the next decision period. Minds live in ``policies``; the environment knows
+only this contract. It speaks of everybody at once, in arrays, since that is fast;
+`household.people.individuals` has the same for a mind of one person's own.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import Activity
-from household.people.appraisal import Judgement
+from household.arrays import Floats, Indices, Mask
 from household.people.feedback import Cause, Kind
 
 OWN_ACTIVITY = -1
-"""`Intention.look`: the object of the own activity, or the way ahead in walking."""
+"""To look at the object of the own activity, or at the way ahead in walking."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,68 +37,88 @@ class Wish:
     cause: Cause
 
 
-@dataclass(slots=True)
-class Percept:
-    """What a person perceives at the end of a decision period.
+class Judgements(NamedTuple):
+    """What everybody thinks of the bouts that it first perceived in this period.
+
+    Attributes:
+        new: Whether each person now judged what each robot does, (n, n_robots).
+        value: The appraisals, in [-1, 1], shape (n, n_robots).
+        believed: Index of the robot that the person believes it was, (n, n_robots).
+        attending: Whether the person attended to what did it, shape (n, n_robots).
+    """
+
+    new: Mask
+    value: Floats
+    believed: Indices
+    attending: Mask
+
+
+class Percepts(NamedTuple):
+    """What everybody perceives at the end of a decision period.
 
     Attributes:
         time: Now [s].
-        period: Time since the last percept [s].
-        activity: The role that it plays where it stands.
-        arrived: Whether it is where it intended to be, or as near as others let it.
-        touched: Whether its wish to touch was fulfilled in this period.
-        mood: Its mood, in [-1, 1].
-        judgements: What it thinks of the bouts that it first perceived now.
-        pleasing: Whether each robot is doing something that pleases it, (n_robots,).
+        period: Time since the last percepts [s].
+        activity: The role that each plays where it stands, shape (n,).
+        arrived: Who is where it intended to be, or as near as others let it, (n,).
+        touched: Whose wish to touch was fulfilled in this period, shape (n,).
+        mood: In [-1, 1], shape (n,).
+        judgements: What everybody thinks of what is new.
+        pleasing: Whether each robot does something that pleases each, (n, n_robots).
         moving: Whether each robot is on the move, shape (n_robots,).
-        sees: Whether it sees each entity (people first, then robots), shape (n,).
-        level: How loud it hears each entity, shape (n,) [dB].
+        sees: Who sees each entity (people first, then robots), (n, n + n_robots).
+        level: How loud everybody hears each, shape (n, n + n_robots) [dB].
+        cause: What a robot is doing now, as what a touch is about, for `Wish.cause`.
     """
 
     time: float
     period: float
-    activity: Activity
-    arrived: bool
-    touched: bool
-    mood: float
-    judgements: Sequence[Judgement]
-    pleasing: NDArray[np.bool_]
-    moving: NDArray[np.bool_]
-    sees: NDArray[np.bool_]
-    level: NDArray[np.float64]
+    activity: NDArray[np.int_]
+    arrived: Mask
+    touched: Mask
+    mood: Floats
+    judgements: Judgements
+    pleasing: Mask
+    moving: Mask
+    sees: Mask
+    level: Floats
+    cause: Callable[[int, float], Cause]
 
 
-@dataclass(frozen=True, slots=True)
-class Intention:
-    """What a person is about to do.
+class Intentions(NamedTuple):
+    """What everybody is about to do.
 
     Attributes:
-        place: Index of the activity region to be in.
-        look: Index of the entity to look at, or `OWN_ACTIVITY`.
-        eyes_open: False in sleep.
-        wish: The touch that it is out to give, if any; it goes to the robot first.
+        place: Index of the activity region to be in, shape (n,).
+        look: Index of the entity to look at, or `OWN_ACTIVITY`, shape (n,).
+        eyes_open: False in sleep, shape (n,).
+        wishes: The touch that each is out to give, if any; it goes to the robot first.
     """
 
-    place: int
-    look: int = OWN_ACTIVITY
-    eyes_open: bool = True
-    wish: Wish | None = None
+    place: Indices
+    look: Indices
+    eyes_open: Mask
+    wishes: Sequence[Wish | None]
 
 
-class Mind(Protocol):
-    """Decides for one person."""
+class Minds(Protocol):
+    """Decides for everybody in a household."""
 
-    def reset(self, rng: np.random.Generator) -> Intention:
+    def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode.
 
         Args:
-            rng: The person's own stream; the mind may keep it.
+            rngs: Each person's own stream; the minds may keep them.
 
         Returns:
-            The first intention; the person begins in its place.
+            The first intentions; people begin in their places.
         """
         ...
 
-    def decide(self, percept: Percept) -> Intention:
-        """Answers a percept with the intention for the next period."""
+    def decide(self, percepts: Percepts) -> Intentions:
+        """Answers percepts with the intentions for the next period.
+
+        Returns:
+            Read before the next call, so that minds may change them in place then.
+        """
         ...

@@ -1,28 +1,33 @@
 """The people of a household: they judge what they perceive and do what they intend."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from household.activity import Activity
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
 from household.crowd import Crowd
-from household.people.appraisal import Judgement, appraisals
-from household.people.mind import OWN_ACTIVITY, Mind, Percept, Wish
+from household.people.appraisal import appraise
+from household.people.feelings import Feelings
+from household.people.mind import (
+    OWN_ACTIVITY,
+    Intentions,
+    Judgements,
+    Minds,
+    Percepts,
+    Wish,
+)
 from household.people.norms import norm_table
-from household.people.person import Person
-from household.people.places import Places
-from household.people.population import preferences
+from household.people.person import everyone_of
+from household.people.places import NOWHERE, Places
+from household.people.traits import traits_of
 from household.perception.senses import Senses
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
-Array = NDArray[np.float64]
-MakeMinds = Callable[[Scenario], Sequence[Mind]]
-
-
-ACTIVITIES = tuple(Activity)
+MakeMinds = Callable[[Scenario], Minds]
 
 REACH = 0.8
 """From the middle of a person to the middle of a robot that it touches [m]."""
@@ -33,53 +38,58 @@ class People:
 
     Args:
         scenario: Who they are.
-        make_minds: Gives each of them a mind, in order.
+        make_minds: Gives them their minds.
 
     Attributes:
-        everyone: The persons.
+        everyone: Who they are.
         places: Where their activities are.
+        feelings: Their moods and what they think of each robot.
+        intentions: What each is about to do.
         place: Index of the region that each is in, -1 outside all, shape (n,).
         activity: The role that each plays, as `Activity` values, shape (n,).
-        pleasing: Whether each robot does what pleases each person, (n, n_robots).
+        touched: Whose wish to touch was fulfilled in this step, shape (n,).
     """
 
+    intentions: Intentions
+
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
+        self.everyone = everyone_of(scenario)
+        personas = [person.persona for person in self.everyone]
+        n, n_robots = len(personas), len(scenario.robots)
+        self._minds = make_minds(scenario)
+        self._period = scenario.decision_period
+        self._traits = traits_of(personas)
         self.places = Places(scenario.plan)
-        self.everyone = [
-            Person(
-                name=spec.name,
-                persona=persona,
-                preferences=_preferences(scenario, index),
-                mind=mind,
-                n_robots=len(scenario.robots),
-            )
-            for index, (spec, persona, mind) in enumerate(
-                zip(
-                    scenario.people,
-                    scenario.personas,
-                    make_minds(scenario),
-                    strict=True,
-                )
-            )
-        ]
+        self.feelings = Feelings(personas, n_robots, self._period)
         self._starts = [spec.start for spec in scenario.people]
         self._robots = [spec.position for spec in scenario.robots]
         # Tastes are drawn round 0, so that on average the norms are left of them.
         norms = norm_table(scenario.household_norms, scenario.behaviors)
         average = (1.0 - scenario.heterogeneity) * norms
-        self._average = np.array([average] * len(self.everyone))
+        self._average = np.array([average] * n)
         self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
-            len(self.everyone), len(Activity), 2, -1
+            n, len(Activity), 2, -1
         )
-        self._rows = np.arange(len(self.everyone))[:, None]
+        self._rows = np.arange(n)[:, None]
+        self._half_views = np.radians([p.field_of_view / 2 for p in personas])
+        self._judgements = Judgements(
+            new=np.zeros((n, n_robots), np.bool_),
+            value=np.zeros((n, n_robots)),
+            believed=np.zeros((n, n_robots), np.intp),
+            attending=np.zeros((n, n_robots), np.bool_),
+        )
+        self._pleasing = np.zeros((n, n_robots), np.bool_)
         # The decision at which the bout of each robot began that each last judged.
-        self._judged = np.full((len(self.everyone), len(scenario.robots)), -1)
-        self._facing = [region.facing for region in scenario.plan.regions]
-        self.place = np.full(len(self.everyone), -1, dtype=np.intp)
-        self.activity = np.full(len(self.everyone), int(Activity.UNKNOWN))
-        self.pleasing = np.zeros((len(self.everyone), len(scenario.robots)), np.bool_)
+        self._judged = np.full((n, n_robots), -1, np.intp)
+        self._out_to_touch: list[int] = []
+        self._claimed = np.full(n, NOWHERE, np.intp)
+        self._spots = np.zeros((n, 2))
+        self._goals = np.zeros((n, 2))
+        self.place = np.full(n, NOWHERE, np.intp)
+        self.activity = np.full(n, int(Activity.UNKNOWN))
+        self.touched = np.zeros(n, np.bool_)
 
-    def begin(self, rngs: Sequence[np.random.Generator]) -> Array:
+    def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
         """Begins a new episode.
 
         Args:
@@ -89,26 +99,27 @@ class People:
             Where everybody begins, shape (n, 2) [m].
         """
         self.places.clear()
+        self.feelings.forget()
+        self.touched[:] = False
         self._judged[:] = -1
+        self._claimed[:] = NOWHERE
+        self._out_to_touch = []
+        self.intentions = self._minds.reset(rngs)
+        self._claim_places()
         position = np.zeros((len(self.everyone), 2))
         taken = [*self._robots, *filter(None, self._starts)]
-        for i, (person, rng) in enumerate(zip(self.everyone, rngs, strict=True)):
-            person.begin(rng)
-            spot = self.places.claim(i, person.intention.place)
-            begin = self._starts[i] or self.places.beside(spot, taken)
+        for i, (x, y) in enumerate(self._spots.tolist()):
+            begin = self._starts[i] or self.places.beside((x, y), taken)
             taken.append(begin)
             position[i] = begin
         self.locate(position)
         return position
 
-    def locate(self, position: Array) -> None:
+    def locate(self, position: Floats) -> None:
         """Reads off which role everybody plays where it stands."""
-        self.place = self.places.at(position)
-        self.activity = self.places.roles(self.place)
+        self.places.locate(position, self.place, self.activity)
 
-    def preferred(
-        self, attends: NDArray[np.bool_], *, on_average: bool = False
-    ) -> Array:
+    def preferred(self, attends: Mask, *, on_average: bool = False) -> Floats:
         """What everybody prefers of each robot right now.
 
         Args:
@@ -119,108 +130,105 @@ class People:
             Shape (n, n_robots, n_behaviors), in [-1, 1].
         """
         preferences = self._average if on_average else self._preferences
-        chosen: Array = preferences[
+        chosen: Floats = preferences[
             self._rows, self.activity[:, None], attends.astype(np.intp)
         ]
         return chosen
 
-    def judge(
-        self, senses: Senses, robots: Robots, now: float
-    ) -> list[list[Judgement]]:
-        """Everybody appraises the bouts that it did not appraise before.
+    def opinions(self, robot: int) -> dict[str, int]:
+        """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1)."""
+        return {
+            person.name: self.feelings.opinion(i, robot)
+            for i, person in enumerate(self.everyone)
+        }
 
-        Appraisal = preference x how strongly the bout was seen or heard.
+    def half_views(self) -> Floats:
+        """Half of each field of view, (n,) [rad]; negative with the eyes closed."""
+        return np.where(self.intentions.eyes_open, self._half_views, -1.0)
+
+    def judge(self, senses: Senses, robots: Robots) -> None:
+        """Everybody appraises the bouts that it did not appraise before.
 
         Args:
             senses: What everybody perceives.
             robots: What there is to be perceived.
-            now: [s].
-
-        Returns:
-            The new judgements of each person.
         """
-        n = len(self.everyone)
-        found: list[list[Judgement]] = [[] for _ in range(n)]
-        attends = senses.attends[:n, n:]
-        value = appraisals(
-            self._preferences,
+        appraise(
+            *self._judgements,
+            self._pleasing,
+            self._judged,
             self.activity,
+            self.intentions.eyes_open,
             robots.behaviors,
-            attends,
-            senses.attention[:n, n:],
-            senses.level[:n, n:],
-            np.array([person.hears_from for person in self.everyone]),
+            robots.begun,
+            senses.attends,
+            senses.attention,
+            senses.sees,
+            senses.level,
+            self._preferences,
+            self._traits,
         )
-        self.pleasing = value > 0.0
-        begun = np.array([bout.decision for bout in robots.bouts])
-        new = (value != 0.0) & (self._judged != begun)
-        self._judged = np.where(new, begun, self._judged)
-        believed = _believed(senses, n).tolist()
-        causes = [robots.cause(r, now) for r in range(len(begun))]
-        for i, r in np.argwhere(new).tolist():
-            person = self.everyone[i]
-            judgement = Judgement(
-                robot=believed[i][r],
-                value=float(value[i, r]),
-                attending=bool(attends[i, r]),
-                cause=causes[r],
-            )
-            person.live_through(judgement)
-            found[i].append(judgement)
-        return found
+        self.feelings.live_through(self._judgements)
 
-    def decide(
-        self,
-        crowd: Crowd,
-        senses: Senses,
-        judgements: list[list[Judgement]],
-        clock: tuple[float, float],
-    ) -> None:
+    def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
 
         Args:
             crowd: The bodies.
             senses: What everybody perceives.
-            judgements: What everybody thinks of what is new.
-            clock: The time now and the time since the last decision [s].
+            robots: Whose bouts touches are about.
+            now: [s].
         """
-        now, period = clock
-        activities = [ACTIVITIES[role] for role in self.activity.tolist()]
-        for i, person in enumerate(self.everyone):
-            person.calm_down(period)
-            before = person.intention.wish
-            person.intention = person.mind.decide(
-                Percept(
-                    time=now,
-                    period=period,
-                    activity=activities[i],
-                    arrived=self._has_arrived(i, crowd),
-                    touched=person.touched,
-                    mood=person.mood,
-                    judgements=judgements[i],
-                    pleasing=self.pleasing[i],
-                    moving=crowd.walking[len(self.everyone) :],
-                    sees=senses.sees[i],
-                    level=senses.level[i],
-                )
-            )
-            person.touched = False
-            wish = person.intention.wish
-            if wish is None or not self.reaches(i, wish, crowd, senses):
-                self._set_out(i, crowd, now)
-                if wish is not before and crowd.walks(i):
+        before = self.intentions.wishes
+        percepts = self._percepts(crowd, senses, robots, now)
+        self.intentions = self._minds.decide(percepts)
+        self.touched[:] = False
+        self._claim_places()
+        wishes = self.intentions.wishes
+        if wishes is not before:
+            self._out_to_touch = [i for i, w in enumerate(wishes) if w is not None]
+        at_hand = [i for i, w in self.wishes() if self.reaches(i, w, crowd, senses)]
+        self._set_out(crowd, at_hand, now)
+        if wishes is not before:
+            for i, (new, old) in enumerate(zip(wishes, before, strict=True)):
+                if new is not old and crowd.walks(i) and i not in at_hand:
                     # Who was on its way elsewhere is so no longer.
                     crowd.walk_began[i] = now
 
-    def _has_arrived(self, i: int, crowd: Crowd) -> bool:
-        spot = self.places.claim(i, self.everyone[i].intention.place)
-        return not crowd.walks(i) and crowd.is_bound_for(i, spot)
+    def _percepts(
+        self, crowd: Crowd, senses: Senses, robots: Robots, now: float
+    ) -> Percepts:
+        n, walking = len(self.everyone), crowd.walking
+        return Percepts(
+            time=now,
+            period=self._period,
+            activity=self.activity,
+            arrived=crowd.bound_for(self._spots) & ~walking[:n],
+            touched=self.touched,
+            mood=self.feelings.mood,
+            judgements=self._judgements,
+            pleasing=self._pleasing,
+            moving=walking[n:],
+            sees=senses.sees,
+            level=senses.level,
+            cause=robots.cause,
+        )
 
-    def wishes(self) -> Iterator[tuple[int, Wish]]:
+    def _claim_places(self) -> None:
+        """Who intends to be elsewhere gets a spot there."""
+        place = self.intentions.place
+        for i in np.flatnonzero(place != self._claimed).tolist():
+            self._spots[i] = self.places.claim(i, int(place[i]))
+        self._claimed[:] = place
+
+    def wishes(self) -> list[tuple[int, Wish]]:
         """The touches that people are out to give, with the index of the person."""
-        for i, person in enumerate(self.everyone):
-            if person.intention.wish is not None and not person.touched:
-                yield i, person.intention.wish
+        wishes = self.intentions.wishes
+        return [
+            (i, wish)
+            for i in self._out_to_touch
+            if (wish := wishes[i]) is not None and not self.touched[i]
+        ]
 
     def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person's hand can touch the robot from where it stands."""
@@ -229,56 +237,52 @@ class People:
         near = math.dist(person, robot) <= REACH
         return near and senses.nothing_between(person, robot)
 
-    def _set_out(self, i: int, crowd: Crowd, now: float) -> None:
-        """Walks to where the person wants to be, unless it is on its way or there."""
-        intention = self.everyone[i].intention
-        if intention.wish is not None:
-            goal = crowd.where[len(self.everyone) + intention.wish.robot]
-        else:
-            goal = self.places.claim(i, intention.place)
-        if not crowd.is_bound_for(i, goal):
-            crowd.send(i, goal, now)
+    def _set_out(self, crowd: Crowd, at_hand: Sequence[int], now: float) -> None:
+        """Everybody walks to where it wants to be, unless on the way or there.
 
-    def gaze_targets(self, crowd: Crowd) -> Array:
+        Args:
+            crowd: The bodies.
+            at_hand: Who can touch what it is out to touch from where it stands.
+            now: [s].
+        """
+        goals, n = self._goals, len(self.everyone)
+        goals[:] = self._spots
+        for i, wish in self.wishes():
+            goals[i] = crowd.where[n + wish.robot]
+        for i in np.flatnonzero(~crowd.bound_for(goals)).tolist():
+            if i not in at_hand:
+                x, y = goals[i].tolist()
+                crowd.send(i, (x, y), now)
+
+    def gaze_targets(self, crowd: Crowd) -> Floats:
         """The direction in which everybody wants to look, shape (n,) [rad]."""
-        places = self.place.tolist()
-        looks = [self._looks(i, place, crowd) for i, place in enumerate(places)]
-        return np.array(looks)
+        return _gaze_targets(
+            self.intentions.look,
+            self.place,
+            self.places.facing,
+            crowd.walking,
+            crowd.position,
+            crowd.heading,
+        )
 
-    def _looks(self, i: int, place: int, crowd: Crowd) -> float:
-        look = self.everyone[i].intention.look
-        if look != OWN_ACTIVITY:
-            there = crowd.where[look]
-        elif crowd.walks(i) or place < 0:
-            return float(crowd.heading[i])
+
+@compiled
+def _gaze_targets(
+    look: Indices,
+    place: Indices,
+    facing: Floats,
+    walking: Mask,
+    position: Floats,
+    heading: Floats,
+) -> Floats:
+    target = np.empty(len(look))
+    for i in range(len(look)):
+        if look[i] != OWN_ACTIVITY:
+            there = position[look[i]]
+        elif walking[i] or place[i] < 0:
+            target[i] = heading[i]
+            continue
         else:
-            there = self._facing[place]
-        x, y = crowd.where[i]
-        return math.atan2(there[1] - y, there[0] - x)
-
-
-def _preferences(scenario: Scenario, index: int) -> Array:
-    """What a person of the scenario finds polite."""
-    return preferences(
-        norm_table(scenario.household_norms, scenario.behaviors),
-        scenario.personas[index],
-        scenario.behaviors,
-        scenario.population,
-        scenario.heterogeneity,
-        index,
-    )
-
-
-def _believed(senses: Senses, n: int) -> NDArray[np.intp]:
-    """The robot that each person blames: the one it saw, else the loudest it hears.
-
-    Args:
-        senses: What everybody perceives.
-        n: How many people there are.
-
-    Returns:
-        For each robot that did something, shape (n, n_robots).
-    """
-    loudest = senses.level[:n, n:].argmax(axis=1)
-    saw = senses.sees[:n, n:]
-    return np.where(saw, np.arange(saw.shape[1]), loudest[:, None])
+            there = facing[place[i]]
+        target[i] = math.atan2(there[1] - position[i, 1], there[0] - position[i, 0])
+    return target

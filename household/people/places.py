@@ -4,12 +4,12 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from household.activity import Activity
+from household.arrays import Floats, Indices
+from household.compiled import compiled
 from household.home.floorplan import FloorPlan, Region
 from household.home.routes import routes_of
-from household.perception.kernel import inside
 from household.records import Point
 
 EDGE = 0.1
@@ -20,6 +20,9 @@ BODY = 0.5
 
 SPOTS_ON_RING = 6
 
+NOWHERE = -1
+"""In place of a region."""
+
 APART = 0.5
 """Least distance between two who begin an episode [m]: two bodies side by side."""
 
@@ -29,12 +32,16 @@ class Places:
 
     Args:
         plan: The home.
+
+    Attributes:
+        facing: What people look at in each region, shape (n_regions, 2) [m].
     """
 
     def __init__(self, plan: FloorPlan) -> None:
         self.regions = plan.regions
         self._circles = plan.region_circles
         self._roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
+        self.facing = np.array([r.facing for r in plan.regions])
         self._routes = routes = routes_of(plan)
         self._spots = [
             [
@@ -47,7 +54,7 @@ class Places:
         self._claims: dict[int, tuple[int, int]] = {}
 
     @property
-    def centers(self) -> NDArray[np.float64]:
+    def centers(self) -> Floats:
         """Middles of the regions, shape (n_regions, 2) [m]."""
         return self._circles[:, :2]
 
@@ -101,20 +108,35 @@ class Places:
                     return x, y
         return spot
 
-    def at(self, position: NDArray[np.float64]) -> NDArray[np.intp]:
-        """The region that each point is in, -1 outside all.
+    def locate(self, position: Floats, place: Indices, activity: Indices) -> None:
+        """Where people are, and which role they play there.
 
         Args:
-            position: Shape (n, 2) [m].
-
-        Returns:
-            Shape (n,); regions do not overlap.
+            position: Shape (n, 2) [m]; further bodies may follow.
+            place: The region that each is in, or `NOWHERE`; regions do not overlap;
+                shape (n,), filled in.
+            activity: The role, as `Activity` values, shape (n,); filled in.
         """
-        return inside(position, self._circles)
+        _locate(position, self._circles, self._roles, place, activity)
 
-    def roles(self, place: NDArray[np.intp]) -> NDArray[np.int_]:
-        """The role that is played in each place, as `Activity` values."""
-        return self._roles[place]
+
+@compiled
+def _locate(
+    position: Floats,
+    circles: Floats,
+    roles: Indices,
+    place: Indices,
+    activity: Indices,
+) -> None:
+    for i in range(len(place)):
+        place[i] = NOWHERE
+        for k in range(len(circles)):
+            dx, dy = position[i, 0] - circles[k, 0], position[i, 1] - circles[k, 1]
+            if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
+                place[i] = k
+                break
+        # The last role is for nowhere, which -1 is the index of.
+        activity[i] = roles[place[i]]
 
 
 def _spots(region: Region) -> list[Point]:

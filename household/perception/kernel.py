@@ -82,6 +82,8 @@ def separate(
         wall_loss: What one wall takes from a sound [dB].
         hidden: Opaque segments between each two, (n, n); changed in place.
         loss: As from `attenuation`, (n, n) [dB]; changed in place.
+
+    At the end ``before`` holds where everybody is.
     """
     n = len(position)
     moved = np.zeros(n, np.bool_)
@@ -96,6 +98,7 @@ def separate(
                 loss[i, j] = loss[j, i] = _loss(position, i, j, between * wall_loss)
                 between += _between(position, i, j, tall)
                 hidden[i, j] = hidden[j, i] = between
+    before[:] = position
 
 
 @compiled
@@ -238,21 +241,32 @@ def attend(
 
 
 @compiled
-def inside(position: Array, circles: Array) -> NDArray[np.intp]:
-    """The first circle that each point is in.
+def perceive(
+    position: Array,
+    gaze: Array,
+    half_view: Array,
+    salience: Array,
+    absorption: Array,
+    source: Array,
+    focus: float,
+    distance: float,
+    above: float,
+    below: float,
+    now: float,
+    hidden: NDArray[np.int64],
+    loss: Array,
+    sees: Mask,
+    angle: Array,
+    share: Array,
+    level: Array,
+    attends: Mask,
+    began: Array,
+) -> None:
+    """All that everybody perceives at a moment; `Senses` says what is what.
 
-    Args:
-        position: Shape (n, 2) [m].
-        circles: Shape (m, 3), rows of x, y, radius [m].
-
-    Returns:
-        Indices, -1 outside all, shape (n,).
+    From ``sees`` on all is filled in; of the last two, what was before counts.
     """
-    found = np.full(len(position), -1, np.intp)
-    for i in range(len(position)):
-        for k in range(len(circles)):
-            dx, dy = position[i, 0] - circles[k, 0], position[i, 1] - circles[k, 1]
-            if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
-                found[i] = k
-                break
-    return found
+    sees[:], angle[:] = sight(position, gaze, half_view, hidden)
+    share[:] = attention(position, sees, angle, salience, absorption, focus, distance)
+    attends[:], began[:] = attend(share, attends, began, above, below, now)
+    level[:] = np.maximum(source - loss, 0.0)

@@ -15,6 +15,8 @@ Mask = NDArray[np.bool_]
 class Senses:
     """What everybody perceives; people come first and robots after them.
 
+    The arrays are the same from moment to moment, with new values in them.
+
     Attributes:
         sees: ``sees[i, j]``: i sees j, shape (n, n).
         angle: Angle between the gaze of i and the direction to j, shape (n, n) [rad].
@@ -70,29 +72,6 @@ class Senses:
             source: Sound level of each at 1 m, shape (n,) [dB].
             now: [s].
         """
-        self._look_for_walls(position)
-        self.sees, self.angle = kernel.sight(position, gaze, half_view, self._hidden)
-        self.attention = kernel.attention(
-            position,
-            self.sees,
-            self.angle,
-            salience,
-            absorption,
-            self._focus,
-            self._model.distance,
-        )
-        self.level = np.maximum(source - self.loss, 0.0)
-        self.attends, self.attention_began = kernel.attend(
-            self.attention,
-            self.attends,
-            self.attention_began,
-            self._model.attend_above,
-            self._model.attend_below,
-            now,
-        )
-
-    def _look_for_walls(self, position: Array) -> None:
-        """What stands between everybody; anew only where somebody has moved."""
         kernel.separate(
             self._position,
             position,
@@ -102,7 +81,27 @@ class Senses:
             self._hidden,
             self.loss,
         )
-        self._position = position.copy()
+        kernel.perceive(
+            position,
+            gaze,
+            half_view,
+            salience,
+            absorption,
+            source,
+            self._focus,
+            self._model.distance,
+            self._model.attend_above,
+            self._model.attend_below,
+            now,
+            self._hidden,
+            self.loss,
+            self.sees,
+            self.angle,
+            self.attention,
+            self.level,
+            self.attends,
+            self.attention_began,
+        )
 
     def nothing_between(self, one: Point, other: Point) -> bool:
         """Whether no wall or closed door stands between two points.

@@ -5,9 +5,15 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from household.compiled import compiled
 from household.people.feedback import Cause, Feedback
 from household.robots.behavior import Bout
 from household.scenario import Scenario
+
+Array = NDArray[np.float64]
+
+MOMENT = 1e-9
+"""By how much times may miss each other through rounding [s]."""
 
 IDLE = Bout(behavior=-1, decision=-1, began=-math.inf, ends=-math.inf)
 """Before the first choice."""
@@ -18,21 +24,30 @@ class Robots:
 
     Attributes:
         bouts: What each robot is doing.
-        feedback: The touches that each felt in the last step.
+        behaviors: Index of each robot's behavior, -1 before the first, shape (n,).
+        begun: The decision at which each began its bout, -1 before the first, (n,).
+        touched: Whether any robot felt a touch in the last step.
+        felt: Sum of caresses and of taps felt in it, (n, 2), both in [0, 1].
+        feedback: The touches that each felt in it.
         causes: What each of those touches was really about; for evaluation only.
     """
 
     def __init__(self, scenario: Scenario) -> None:
         self.names = scenario.robot_names
-        self._repertoire = scenario.repertoire
+        self._durations = [b.duration for b in scenario.repertoire]
+        self._loudness = np.array([b.loudness for b in scenario.repertoire])
+        self._salience = np.array([b.salience for b in scenario.repertoire])
         self.begin()
 
     def begin(self) -> None:
         """Begins a new episode."""
         n = len(self.names)
         self.bouts: list[Bout] = [IDLE] * n
-        self.feedback: list[tuple[Feedback, ...]] = [()] * n
-        self.causes: list[tuple[Cause, ...]] = [()] * n
+        self.behaviors = np.full(n, IDLE.behavior, dtype=np.intp)
+        self.begun = np.full(n, IDLE.decision, dtype=np.intp)
+        self._began = np.full(n, IDLE.began)
+        self._ends = np.full(n, IDLE.ends)
+        self._untouched()
 
     def choose(self, robot: int, behavior: int, decision: int, now: float) -> None:
         """Goes on with a behavior, or begins it anew when it is over or another.
@@ -43,14 +58,15 @@ class Robots:
             decision: Index of this environment step.
             now: [s].
         """
-        bout = self.bouts[robot]
-        if bout.behavior != behavior or self.is_over(robot, now):
-            ends = now + self._repertoire[behavior].duration
+        if self.bouts[robot].behavior != behavior or self.is_over(robot, now):
+            ends = now + self._durations[behavior]
             self.bouts[robot] = Bout(behavior, decision, now, ends)
+            self.behaviors[robot], self.begun[robot] = behavior, decision
+            self._began[robot], self._ends[robot] = now, ends
 
     def is_over(self, robot: int, now: float) -> bool:
         """Whether what a robot was doing is done."""
-        return self.bouts[robot].ends <= now + 1e-9
+        return self.bouts[robot].ends <= now + MOMENT
 
     def cause(self, robot: int, now: float) -> Cause:
         """The bout of a robot as the cause of what people may do about it.
@@ -64,58 +80,69 @@ class Robots:
 
     def forget_touches(self) -> None:
         """Makes room for the touches of the next step."""
-        self.feedback = [()] * len(self.names)
-        self.causes = [()] * len(self.names)
+        if self.touched:
+            self._untouched()
+
+    def _untouched(self) -> None:
+        self.touched = False
+        self.feedback: list[tuple[Feedback, ...]] = [()] * len(self.names)
+        self.causes: list[tuple[Cause, ...]] = [()] * len(self.names)
+        self.felt = np.zeros((len(self.names), 2))
 
     def feel(self, robot: int, feedback: Feedback, cause: Cause) -> None:
         """A touch is felt."""
+        self.touched = True
         self.feedback[robot] += (feedback,)
         self.causes[robot] += (cause,)
+        kind = 0 if feedback.kind == "caress" else 1
+        total = self.felt[robot, kind] + feedback.strength
+        self.felt[robot, kind] = min(total, 1.0)
 
-    @property
-    def behaviors(self) -> NDArray[np.intp]:
-        """Index of each robot's behavior, -1 before the first, shape (n,)."""
-        return np.array([bout.behavior for bout in self.bouts], dtype=np.intp)
+    def show(self, since: float, salience: Array, source: Array) -> None:
+        """Tells how robots appear to those who look and listen.
 
-    @property
-    def felt(self) -> NDArray[np.float64]:
-        """Sum of caresses and of taps felt in this step, (n, 2), both in [0, 1]."""
-        felt = np.zeros((len(self.names), 2))
-        for robot, touches in enumerate(self.feedback):
-            for touch in touches:
-                kind = 0 if touch.kind == "caress" else 1
-                felt[robot, kind] = min(felt[robot, kind] + touch.strength, 1.0)
-        return felt
-
-    def sources(self, since: float) -> list[float]:
-        """How loud each robot is at 1 m [dB]; what was over before is silent.
+        What was over before is silent, and draws the eye no more than a person does.
 
         Args:
-            since: Beginning of the period that is listened to [s].
+            since: Beginning of the period that is looked and listened to [s].
+            salience: How strongly each draws the eye, shape (n,); filled in.
+            source: How loud each is at 1 m, shape (n,) [dB]; filled in.
         """
-        return [
-            0.0 if self.is_over(i, since) else self._repertoire[bout.behavior].loudness
-            for i, bout in enumerate(self.bouts)
-        ]
-
-    def salience(self, since: float) -> list[float]:
-        """How strongly each robot draws the eye; 1 when it does nothing.
-
-        Args:
-            since: Beginning of the period that is looked at [s].
-        """
-        return [
-            1.0 if self.is_over(i, since) else self._repertoire[bout.behavior].salience
-            for i, bout in enumerate(self.bouts)
-        ]
-
-    def left(self, now: float) -> NDArray[np.float64]:
-        """Share of each robot's bout that is left, shape (n,), in [0, 1]."""
-        return np.array(
-            [
-                0.0
-                if self.is_over(i, now)
-                else (bout.ends - now) / (bout.ends - bout.began)
-                for i, bout in enumerate(self.bouts)
-            ]
+        _show(
+            salience,
+            source,
+            self.behaviors,
+            self._ends,
+            since,
+            self._salience,
+            self._loudness,
         )
+
+    def left(self, now: float) -> Array:
+        """Share of each robot's bout that is left, shape (n,), in [0, 1]."""
+        return _left(self._began, self._ends, now)
+
+
+@compiled
+def _show(
+    salience: Array,
+    source: Array,
+    behavior: NDArray[np.intp],
+    ends: Array,
+    since: float,
+    saliences: Array,
+    loudness: Array,
+) -> None:
+    for i in range(len(behavior)):
+        over = ends[i] <= since + MOMENT
+        salience[i] = 1.0 if over else saliences[behavior[i]]
+        source[i] = 0.0 if over else loudness[behavior[i]]
+
+
+@compiled
+def _left(began: Array, ends: Array, now: float) -> Array:
+    left = np.zeros(len(ends))
+    for i in range(len(ends)):
+        if ends[i] > now + MOMENT:
+            left[i] = (ends[i] - now) / (ends[i] - began[i])
+    return left

@@ -1,66 +1,102 @@
-"""From a scenario's scripts and schedules, by name, to doings, by index."""
+"""Doings: what people are about when no robot interrupts them, as time passes."""
 
-import math
-from collections.abc import Callable, Mapping
-from functools import lru_cache, partial
-from importlib import resources
-from pathlib import Path
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 
-from household.people.mind import OWN_ACTIVITY
-from household.people.places import Places
-from household.records import convert, read_toml
-from household.scenario import PersonSpec, Scenario, Stay
-from policies.people.schedule import Schedule, Stop
-from policies.people.script import Line, Script
-
-FOREVER = (math.inf, math.inf)
-
-MakeDoing = Callable[[np.random.Generator], Script | Schedule]
+from household.arrays import Floats, Mask
+from household.compiled import compiled
 
 
-def doing_of(scenario: Scenario, index: int) -> MakeDoing:
-    """Begins what one person of a scenario does, given a random stream."""
-    spec, places = scenario.people[index], Places(scenario.plan)
-    if spec.script:
-        names = (*scenario.person_names, *scenario.robot_names)
-        return partial(Script, _lines(spec, places, names))
-    schedule = spec.schedule or _everyday(places)
-    own = {name: places.own(name, index) for name in schedule}
-    return partial(Schedule, _stops(schedule, own))
+class Doing(Protocol):
+    """What one person does: a script or a schedule.
+
+    Attributes:
+        lasts: Time to be spent in the present place [s].
+        until: When that ends at the latest [s].
+        look_lasts: Time there until the look is to be turned [s].
+    """
+
+    lasts: float
+    until: float
+    look_lasts: float
+
+    @property
+    def place(self) -> int:
+        """Index of the activity region to be in."""
+
+    @property
+    def look(self) -> int:
+        """Index of the entity to look at, or `OWN_ACTIVITY`."""
+
+    def turn_look(self) -> None:
+        """Looks somewhere else, as ``look_lasts`` is over."""
+
+    def go_on(self, now: float) -> None:
+        """Goes on to what comes next."""
 
 
-def _lines(spec: PersonSpec, places: Places, names: tuple[str, ...]) -> list[Line]:
-    return [
-        Line(
-            place=places.index(step.place),
-            duration=step.duration or FOREVER,
-            until=step.until or math.inf,
-            look=OWN_ACTIVITY if step.look_at is None else names.index(step.look_at),
-            look_for=step.look_for or FOREVER,
-            look_away=step.look_away,
-        )
-        for step in spec.script
-    ]
+class Doings:
+    """What everybody does.
+
+    Args:
+        doings: One for each person; asked only when a time of its is over.
+
+    Attributes:
+        place: Index of the activity region that each is to be in, shape (n,).
+        look: Index of the entity that each is to look at, or `OWN_ACTIVITY`, (n,).
+    """
+
+    def __init__(self, doings: Sequence[Doing]) -> None:
+        self._doings = doings
+        self.place = np.array([doing.place for doing in doings], dtype=np.intp)
+        self.look = np.array([doing.look for doing in doings], dtype=np.intp)
+        self._left = np.array([doing.lasts for doing in doings])
+        self._until = np.array([doing.until for doing in doings])
+        self._look_left = np.array([doing.look_lasts for doing in doings])
+
+    def play(self, now: float, period: float, there: Mask) -> None:
+        """Lets time pass.
+
+        Args:
+            now: Time since the episode began [s].
+            period: Time since the last call [s].
+            there: Who spent it in its place, shape (n,); other time counts only
+                against the clock.
+        """
+        over = _pass_time(self._left, self._until, self._look_left, now, period, there)
+        if over:
+            for i in range(len(self._doings)):
+                self._go_on(i, now)
+
+    def _go_on(self, i: int, now: float) -> None:
+        """Does with one person what is due."""
+        doing = self._doings[i]
+        if self._look_left[i] <= 0.0:
+            doing.turn_look()
+            self._look_left[i] = doing.look_lasts
+        if self._left[i] <= 0.0 or now >= self._until[i]:
+            doing.go_on(now)
+            self._left[i], self._until[i] = doing.lasts, doing.until
+            self._look_left[i] = doing.look_lasts
+        self.place[i], self.look[i] = doing.place, doing.look
 
 
-def _stops(schedule: Mapping[str, Stay], place: Mapping[str, int]) -> list[Stop]:
-    names = list(schedule)
-    weights = np.array([[s.then.get(n, 0.0) for n in names] for s in schedule.values()])
-    return [
-        Stop(place[name], stay.duration, row / row.sum())
-        for (name, stay), row in zip(schedule.items(), weights, strict=True)
-    ]
-
-
-@lru_cache(maxsize=1)
-def _shipped_schedule() -> dict[str, Stay]:
-    path = Path(str(resources.files("household").joinpath("people/schedule.toml")))
-    return convert(read_toml(path), dict[str, Stay], str(path))
-
-
-def _everyday(places: Places) -> dict[str, Stay]:
-    """The shipped schedule, without the activities that a home has no place for."""
-    here = {region.activity for region in places.regions}
-    return {name: stay for name, stay in _shipped_schedule().items() if name in here}
+@compiled
+def _pass_time(
+    left: Floats,
+    until: Floats,
+    look_left: Floats,
+    now: float,
+    period: float,
+    there: Mask,
+) -> bool:
+    """Takes time from what is ``left``; returns whether anybody's is over."""
+    over = False
+    for i in range(len(left)):
+        if there[i]:
+            left[i] -= period
+            look_left[i] -= period
+        over |= left[i] <= 0.0 or look_left[i] <= 0.0 or now >= until[i]
+    return over

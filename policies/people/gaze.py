@@ -4,10 +4,14 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
 from household.people.appraisal import heard_strength
-from household.people.mind import OWN_ACTIVITY, Percept
+from household.people.mind import OWN_ACTIVITY, Percepts
 from household.people.persona import Persona
+from household.people.traits import Traits, traits_of
 from household.streams import Draws
 
 DRAWS = 4
@@ -19,66 +23,93 @@ noise close by (our choice)."""
 
 
 class GazeHabits:
-    """Looks at the own activity, at robots and at people, each for a while.
+    """People look at their own activity, at robots and at people, each for a while.
 
     Args:
-        persona: Holds the interests and the dwell time.
-        myself: Index of the person.
-        n_people: How many people there are.
-        n_robots: How many robots there are.
-        rng: The person's own stream.
+        personas: Of each person; hold the interests and the dwell times.
+        rngs: Each person's own stream.
     """
 
     def __init__(
-        self,
-        persona: Persona,
-        myself: int,
-        n_people: int,
-        n_robots: int,
-        rng: np.random.Generator,
+        self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
-        self._persona = persona
-        self._draws = Draws([rng], DRAWS)
-        self._people = [i for i in range(n_people) if i != myself]
-        self._robots = range(n_people, n_people + n_robots)
-        self._look = OWN_ACTIVITY
-        self._left = 0.0
+        self._traits = traits_of(personas)
+        self._draws = Draws(rngs, DRAWS)
+        self._look = np.full(len(personas), OWN_ACTIVITY, np.intp)
+        self._left = np.zeros(len(personas))
 
-    def look(self, percept: Percept) -> int:
-        """Index of the entity to look at now, or `OWN_ACTIVITY`."""
-        self._left -= percept.period
-        moves, startles, draw, dwell = self._draws.next()[0].tolist()
-        robot, strength = self._most_striking(percept)
-        if startles < self._persona.reflex * strength:
-            self._rest_on(robot, dwell)
-        elif self._left <= 0.0:
-            self._rest_on(self._drawn(moves, draw), dwell)
+    def look(self, percepts: Percepts) -> NDArray[np.intp]:
+        """Index of the entity that each looks at now, or `OWN_ACTIVITY`."""
+        _look_around(
+            self._look,
+            self._left,
+            self._draws.next(),
+            percepts.level,
+            percepts.sees,
+            percepts.moving,
+            percepts.period,
+            self._traits,
+        )
         return self._look
 
-    def _most_striking(self, percept: Percept) -> tuple[int, float]:
-        """The robot that draws the eye most, and how strongly, in [0, 1]."""
-        first = self._robots.start
-        levels = percept.level[first:].tolist()
-        seen_moving = percept.sees[first:] & percept.moving
-        strength, _, robot = max(
-            (max(float(heard_strength(level)), MOVING * moves), level, robot)
-            for robot, level, moves in zip(
-                self._robots, levels, seen_moving.tolist(), strict=True
-            )
-        )
-        return robot, strength
 
-    def _drawn(self, moves: float, draw: float) -> int:
-        robots, people = self._persona.robot_interest, self._persona.people_interest
-        choices: Sequence[int]
-        if moves < robots:
-            choices = self._robots
-        elif moves < robots + people and self._people:
-            choices = self._people
+@compiled
+def _look_around(
+    look: Indices,
+    left: Floats,
+    draws: Floats,
+    level: Floats,
+    sees: Mask,
+    moving: Mask,
+    period: float,
+    traits: Traits,
+) -> None:
+    """Moves everybody's gaze on: ``look``, and how long it has ``left`` there [s]."""
+    for i in range(len(look)):
+        left[i] -= period
+        moves, startles, where, dwell = draws[i]
+        robot, strength = _most_striking(level[i], sees[i], moving)
+        if startles < traits[i].reflex * strength:
+            look[i] = robot
+        elif left[i] <= 0.0:
+            look[i] = _drawn(i, len(look), len(moving), moves, where, traits)
         else:
-            return OWN_ACTIVITY
-        return choices[int(draw * len(choices))]
+            continue
+        left[i] = -math.log(1.0 - dwell) * traits[i].gaze_dwell
 
-    def _rest_on(self, entity: int, dwell: float) -> None:
-        self._look = entity
-        self._left = -math.log(1.0 - dwell) * self._persona.gaze_dwell
+
+@compiled
+def _most_striking(level: Floats, sees: Mask, moving: Mask) -> tuple[int, float]:
+    """The robot that draws somebody's eye most, and how strongly, in [0, 1].
+
+    Of two that draw it alike it is the louder, then the last.
+    """
+    n_people = len(level) - len(moving)
+    striking, most, loudest = n_people, -1.0, -1.0
+    for robot in range(n_people, len(level)):
+        seen_moving = sees[robot] and moving[robot - n_people]
+        heard = float(heard_strength(level[robot]))
+        strength = max(heard, MOVING if seen_moving else 0.0)
+        louder = strength == most and level[robot] >= loudest
+        if strength > most or louder:
+            striking, most, loudest = robot, strength, level[robot]
+    return striking, most
+
+
+@compiled
+def _drawn(
+    myself: int,
+    n_people: int,
+    n_robots: int,
+    moves: float,
+    where: float,
+    traits: Traits,
+) -> int:
+    """What somebody looks at next, by its interests."""
+    robots, people = traits[myself].robot_interest, traits[myself].people_interest
+    if moves < robots:
+        return n_people + int(where * n_robots)
+    if moves < robots + people and n_people > 1:
+        other = int(where * (n_people - 1))
+        return other if other < myself else other + 1
+    return OWN_ACTIVITY

@@ -1,93 +1,199 @@
-"""Giving feedback: which appraisals make a person touch a robot, and how."""
+"""Giving feedback: which appraisals make people touch a robot, and how."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from household.people.appraisal import Judgement
-from household.people.mind import Percept, Wish
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
+from household.people.mind import Percepts, Wish
 from household.people.persona import Persona
+from household.people.traits import Traits, traits_of
 from household.streams import Draws
+
+DRAWS = 2
+"""For each robot in each moment: whether to react, and whether it goes wrong."""
+
+NOBODY = -1
+"""In place of a robot."""
+
+STATE = [
+    ("robot", np.intp),
+    ("about", np.intp),
+    ("praise", np.bool_),
+    ("waited", np.float64),
+]
+"""What a person is out to do: which robot to touch, or `NOBODY`; whose bout that is
+about, if the wish is new; whether it is to be a caress; for how long already [s]."""
 
 
 class FeedbackGiving:
-    """A person's readiness to praise and to sanction.
+    """People's readiness to praise and to sanction.
 
     Faults are sanctioned more readily than politeness is praised; who came to expect
     politeness praises it less and less, until a fault or a time without it brings the
     wish back (paper, sections 3.1, 5.1 and 5.2).
 
     Args:
-        persona: Holds every constant.
+        personas: Of each person; hold every constant.
         n_robots: How many robots there are.
-        rng: The person's own stream.
+        rngs: Each person's own stream.
 
     Attributes:
-        wish: The touch that the person is out to give, if any.
+        wishes: The touch that each person is out to give, if any.
     """
 
     def __init__(
-        self, persona: Persona, n_robots: int, rng: np.random.Generator
+        self,
+        personas: Sequence[Persona],
+        n_robots: int,
+        rngs: Sequence[np.random.Generator],
     ) -> None:
-        self._persona = persona
-        self._draws = Draws([rng], 2 * n_robots)
-        self._freshness = [1.0] * n_robots
-        self._waited = 0.0
-        self.wish: Wish | None = None
+        n = len(personas)
+        self._traits = traits_of(personas)
+        self._draws = Draws(rngs, DRAWS * n_robots)
+        self._freshness = np.ones((n, n_robots))
+        self._state = np.zeros(n, STATE)
+        self._state["robot"] = NOBODY
+        self.wishes: list[Wish | None] = [None] * n
 
-    def consider(self, percept: Percept) -> None:
-        """Takes in what was perceived: forms, keeps, fulfils or drops a wish."""
-        persona = self._persona
-        recovered = 1.0 - math.exp(-percept.period / persona.recovery)
-        for robot, pleases in enumerate(percept.pleasing.tolist()):
-            if not pleases:
-                lost = 1.0 - self._freshness[robot]
-                self._freshness[robot] += recovered * lost
-        self._waited += percept.period
-        if percept.touched or self._waited > persona.patience:
-            self.wish = None
-        draws = self._draws.next().reshape(-1, 2).tolist()
-        for judgement, drawn in zip(percept.judgements, draws, strict=False):
-            self._weigh(judgement, percept.mood, drawn)
+    @property
+    def wanted(self) -> Indices:
+        """Index of the robot that each is out to touch, or `NOBODY`, shape (n,)."""
+        wanted: Indices = self._state["robot"]
+        return wanted
 
-    def _weigh(self, judgement: Judgement, mood: float, drawn: list[float]) -> None:
-        chance, slip = drawn
-        ready = chance < self._readiness(judgement, mood)
-        self._get_used_to(judgement)
-        if ready and self.wish is None and calls_for_feedback(self._persona, judgement):
-            praise = (judgement.value > 0.0) != (slip < self._persona.mistakes)
-            self.wish = Wish(
-                robot=judgement.robot,
-                kind="caress" if praise else "tap",
-                strength=abs(judgement.value),
-                cause=judgement.cause,
-            )
-            self._waited = 0.0
+    def consider(self, percepts: Percepts) -> None:
+        """Takes in what was perceived: forms, keeps, fulfils or drops wishes."""
+        new, value, believed, attending = percepts.judgements
+        changed = _consider(
+            self._state,
+            self._freshness,
+            percepts.touched,
+            percepts.pleasing,
+            new,
+            value,
+            believed,
+            attending,
+            percepts.mood,
+            percepts.period,
+            self._draws.next(),
+            self._traits,
+        )
+        if changed:
+            self.wishes = [self._wish(i, percepts) for i in range(len(self._state))]
 
-    def _readiness(self, judgement: Judgement, mood: float) -> float:
-        """Chance that a person reacts to a bout that it appraised."""
-        persona, value = self._persona, judgement.value
-        if value > 0.0:
-            return persona.praise * value * self._freshness[judgement.robot]
-        return persona.sanction * -value * (1.0 - persona.irritability * mood)
-
-    def _get_used_to(self, judgement: Judgement) -> None:
-        """Politeness becomes what is expected; a fault makes it welcome again."""
-        fresh, persona = self._freshness, self._persona
-        robot, value = judgement.robot, judgement.value
-        if value > 0.0:
-            fresh[robot] *= 1.0 - persona.habituation * value
-        else:
-            fresh[robot] += persona.contrast * -value * (1.0 - fresh[robot])
+    def _wish(self, i: int, percepts: Percepts) -> Wish | None:
+        """What a person is out to do: the same as before, unless that has changed."""
+        robot, about, praise, _ = self._state[i].item()
+        if robot == NOBODY:
+            return None
+        if about == NOBODY:
+            return self.wishes[i]
+        return Wish(
+            robot=robot,
+            kind="caress" if praise else "tap",
+            strength=abs(float(percepts.judgements.value[i, about])),
+            cause=percepts.cause(about, percepts.time),
+        )
 
 
-def calls_for_feedback(persona: Persona, judgement: Judgement) -> bool:
+@compiled
+def _consider(
+    state: NDArray[np.void],
+    freshness: Floats,
+    touched: Mask,
+    pleasing: Mask,
+    new: Mask,
+    value: Floats,
+    believed: Indices,
+    attending: Mask,
+    mood: Floats,
+    period: float,
+    draws: Floats,
+    traits: Traits,
+) -> bool:
+    """What everybody perceived makes it used to politeness, and sometimes react.
+
+    Args:
+        state: What each is out to do, as `STATE`, shape (n,); changed in place.
+        freshness: How welcome each robot's politeness still is, in [0, 1], shape
+            (n, n_robots); changed in place.
+        touched: As in `Percepts`, like all that follow up to ``period``.
+        pleasing: Shape (n, n_robots).
+        new: Shape (n, n_robots).
+        value: Shape (n, n_robots).
+        believed: Shape (n, n_robots).
+        attending: Shape (n, n_robots).
+        mood: Shape (n,).
+        period: [s].
+        draws: Uniform numbers, shape (n, DRAWS * n_robots).
+        traits: Of each person, shape (n,).
+
+    Returns:
+        Whether anybody is out to do something else than before.
+    """
+    changed = False
+    for i in range(len(state)):
+        mine, persona = state[i], traits[i]
+        _recover(freshness[i], pleasing[i], period, persona)
+        mine.about = NOBODY
+        mine.waited += period
+        if mine.robot != NOBODY and (touched[i] or mine.waited > persona.patience):
+            mine.robot = NOBODY
+            changed = True
+        judged = 0
+        for r in range(new.shape[1]):
+            if not new[i, r]:
+                continue
+            chance, slip = draws[i, DRAWS * judged], draws[i, DRAWS * judged + 1]
+            judged += 1
+            liked, robot = value[i, r], believed[i, r]
+            ready = chance < _readiness(liked, mood[i], freshness[i, robot], persona)
+            freshness[i, robot] = _used_to(freshness[i, robot], liked, persona)
+            calls = calls_for_feedback(liked, attending[i, r], persona)
+            if ready and calls and mine.robot == NOBODY:
+                mine.robot, mine.about, mine.waited = robot, r, 0.0
+                mine.praise = (liked > 0.0) != (slip < persona.mistakes)
+                changed = True
+    return changed
+
+
+@compiled
+def _recover(fresh: Floats, pleasing: Mask, period: float, persona: Traits) -> None:
+    """Robots that do nothing that pleases become welcome again."""
+    recovered = 1.0 - math.exp(-period / persona.recovery)
+    for robot in range(len(fresh)):
+        if not pleasing[robot]:
+            fresh[robot] += recovered * (1.0 - fresh[robot])
+
+
+@compiled
+def _readiness(value: float, mood: float, fresh: float, persona: Traits) -> float:
+    """Chance that a person reacts to a bout that it appraised."""
+    if value > 0.0:
+        return persona.praise * value * fresh
+    return persona.sanction * -value * (1.0 - persona.irritability * mood)
+
+
+@compiled
+def _used_to(fresh: float, value: float, persona: Traits) -> float:
+    """Politeness becomes what is expected; a fault makes it welcome again."""
+    if value > 0.0:
+        return fresh * (1.0 - persona.habituation * value)
+    return fresh + persona.contrast * -value * (1.0 - fresh)
+
+
+@compiled
+def calls_for_feedback(value: float, attending: bool, persona: Traits) -> bool:
     """Whether a bout is one that such a person reacts to at all.
 
     Args:
-        persona: What kind of person it is.
-        judgement: What it thinks of the bout.
+        value: What it thinks of the bout, in [-1, 1].
+        attending: Whether it attended to what did it.
+        persona: Its row of the traits.
     """
-    weak = abs(judgement.value) < persona.tolerance
-    missed = persona.only_when_attending and not judgement.attending
-    return not weak and not missed
+    missed = persona.only_when_attending and not attending
+    return not (abs(value) < persona.tolerance or missed)

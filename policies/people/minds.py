@@ -1,97 +1,139 @@
-"""Minds: what makes a simulated person act, put together from its habits."""
+"""Minds: what makes simulated people act, put together from their habits."""
 
-from collections.abc import Callable
-from typing import Protocol
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from household.activity import Activity
-from household.people.mind import OWN_ACTIVITY, Intention, Mind, Percept
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
+from household.people.mind import OWN_ACTIVITY, Intentions, Minds, Percepts
 from household.people.persona import Persona
+from household.people.traits import Traits, traits_of
 from household.scenario import Scenario
-from policies.people.doings import doing_of
+from policies.people.doings import Doing, Doings
+from policies.people.from_scenario import doing_of
 from policies.people.gaze import GazeHabits
-from policies.people.giving import FeedbackGiving
+from policies.people.giving import NOBODY, FeedbackGiving
+
+SLEEPING = int(Activity.SLEEPING)
 
 
-class Doing(Protocol):
-    """What a person does when no robot interrupts it: a script or a schedule."""
-
-    @property
-    def place(self) -> int:
-        """Index of the activity region to be in."""
-
-    @property
-    def look(self) -> int:
-        """Index of the entity to look at, or `OWN_ACTIVITY`."""
-
-    def play(self, now: float, period: float, *, there: bool) -> None:
-        """Lets time pass, spent in the place or not."""
-
-
-class EverydayMind(Mind):
-    """A person with something to do, who looks around and gives feedback.
+class EverydayMinds(Minds):
+    """People with something to do, who look around and give feedback.
 
     Args:
-        persona: What kind of person it is.
-        make_doing: Begins what the person does, with a random stream for it.
-        myself: Index of the person.
-        counts: How many people and how many robots there are.
+        personas: What kind of person each is.
+        make_doings: Begins what each does, with a random stream for it.
+        n_robots: How many robots there are.
     """
 
     def __init__(
         self,
-        persona: Persona,
-        make_doing: Callable[[np.random.Generator], Doing],
-        myself: int,
-        counts: tuple[int, int],
+        personas: Sequence[Persona],
+        make_doings: Sequence[Callable[[np.random.Generator], Doing]],
+        n_robots: int,
     ) -> None:
-        self._persona = persona
-        self._make_doing = make_doing
-        self._myself = myself
-        self._n_people, self._n_robots = counts
+        self._personas = personas
+        self._make_doings = make_doings
+        self._n_robots = n_robots
+        self._traits = traits_of(personas)
 
-    def reset(self, rng: np.random.Generator) -> Intention:
+    def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode."""
         # A stream for each habit: a change in one leaves the others' draws alone.
-        doing, looking, giving = rng.spawn(3)
-        self._doing = self._make_doing(doing)
-        self._gaze = GazeHabits(
-            self._persona, self._myself, self._n_people, self._n_robots, looking
+        doing, looking, giving = zip(*(rng.spawn(3) for rng in rngs), strict=True)
+        makers = zip(self._make_doings, doing, strict=True)
+        self._doings = Doings([make(rng) for make, rng in makers])
+        self._gaze = GazeHabits(self._personas, looking)
+        self._giving = FeedbackGiving(self._personas, self._n_robots, giving)
+        n = len(self._personas)
+        self._awake = np.zeros(n)
+        self._there = np.zeros(n, np.bool_)
+        self._look = self._doings.look.copy()
+        self._eyes_open = np.ones(n, np.bool_)
+        return self._intentions()
+
+    def decide(self, percepts: Percepts) -> Intentions:
+        """Goes on with what they do, unless there is a robot to caress or to tap."""
+        habit = self._gaze.look(percepts)
+        self._giving.consider(percepts)
+        _keep_to_place(self._there, percepts.arrived, self._giving.wanted)
+        self._doings.play(percepts.time, percepts.period, self._there)
+        _look_and_sleep(
+            self._look,
+            self._eyes_open,
+            self._awake,
+            habit,
+            self._doings.look,
+            self._giving.wanted,
+            self._there,
+            percepts.activity,
+            percepts.level,
+            percepts.period,
+            self._traits,
         )
-        self._giving = FeedbackGiving(self._persona, self._n_robots, giving)
-        self._awake = 0.0
-        place = self._doing.place
-        return Intention(place=place, look=self._doing.look)
+        return self._intentions()
 
-    def decide(self, percept: Percept) -> Intention:
-        """Goes on with what it does, unless there is a robot to caress or to tap."""
-        habit = self._gaze.look(percept)
-        self._giving.consider(percept)
-        wish = self._giving.wish
-        there = percept.arrived and wish is None
-        self._doing.play(percept.time, percept.period, there=there)
-        place, look = self._doing.place, self._doing.look
-        if wish is not None:
-            return Intention(place=place, look=self._n_people + wish.robot, wish=wish)
-        return Intention(
-            place=place,
-            look=habit if look == OWN_ACTIVITY else look,
-            eyes_open=not self._sleeps(percept, there=there),
+    def _intentions(self) -> Intentions:
+        return Intentions(
+            self._doings.place, self._look, self._eyes_open, self._giving.wishes
         )
 
-    def _sleeps(self, percept: Percept, *, there: bool) -> bool:
-        """Whether its eyes are closed: in bed, and not just woken by a noise."""
-        self._awake -= percept.period
-        if max(percept.level[self._n_people :].tolist()) >= self._persona.wakes_at:
-            self._awake = self._persona.awake_for
-        return there and percept.activity is Activity.SLEEPING and self._awake <= 0.0
+
+@compiled
+def _keep_to_place(there: Mask, arrived: Mask, wanted: Indices) -> None:
+    """Who is ``there`` to do what it does: arrived, and not out to touch a robot."""
+    for i in range(len(there)):
+        there[i] = arrived[i] and wanted[i] == NOBODY
 
 
-def make_minds(scenario: Scenario) -> list[Mind]:
-    """The minds of a scenario's people, in order."""
-    counts = len(scenario.people), len(scenario.robots)
-    return [
-        EverydayMind(persona, doing_of(scenario, index), index, counts)
-        for index, persona in enumerate(scenario.personas)
-    ]
+@compiled
+def _look_and_sleep(
+    look: Indices,
+    eyes_open: Mask,
+    awake: Floats,
+    habit: Indices,
+    told: Indices,
+    wanted: Indices,
+    there: Mask,
+    activity: Indices,
+    level: Floats,
+    period: float,
+    traits: Traits,
+) -> None:
+    """Where everybody looks, and whether with open eyes.
+
+    A robot that is to be touched comes before what the script tells, and that before
+    habit. Eyes are closed in bed, unless a robot's noise just woke the sleeper.
+
+    Args:
+        look: What it comes to, shape (n,); changed in place, like the next two.
+        eyes_open: Shape (n,).
+        awake: How long each cannot fall asleep yet, shape (n,) [s].
+        habit: Where each would look by habit, shape (n,).
+        told: Where what it does has it look, or `OWN_ACTIVITY`, shape (n,).
+        wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
+        there: Who is in its place, shape (n,).
+        activity: The role of each, shape (n,).
+        level: How loud everybody hears each, people first, (n, n + n_robots) [dB].
+        period: [s].
+        traits: Of each person, shape (n,).
+    """
+    n = len(look)
+    for i in range(n):
+        if wanted[i] != NOBODY:
+            look[i], eyes_open[i] = n + wanted[i], True
+            continue
+        look[i] = habit[i] if told[i] == OWN_ACTIVITY else told[i]
+        awake[i] -= period
+        if level[i, n:].max() >= traits[i].wakes_at:
+            awake[i] = traits[i].awake_for
+        in_bed = there[i] and activity[i] == SLEEPING
+        eyes_open[i] = not (in_bed and awake[i] <= 0.0)
+
+
+def make_minds(scenario: Scenario) -> EverydayMinds:
+    """The minds of a scenario's people."""
+    doings = [doing_of(scenario, index) for index in range(len(scenario.people))]
+    return EverydayMinds(scenario.personas, doings, len(scenario.robots))

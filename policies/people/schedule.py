@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,12 +26,22 @@ class Stop:
 
 
 class Schedule:
-    """Where a person is in its schedule.
+    """Where a person is in its schedule; `Doings` let the time pass.
 
     Args:
         stops: At least one; the first is where it begins.
         rng: Draws how long each stay takes and where it leads.
+
+    Attributes:
+        lasts: Time to be spent in the present place [s].
+        until: Schedules do not look at the clock.
+        look: A schedule leaves the gaze to habit.
+        look_lasts: For ever.
     """
+
+    until = inf
+    look = OWN_ACTIVITY
+    look_lasts = inf
 
     def __init__(self, stops: Sequence[Stop], rng: np.random.Generator) -> None:
         self._stops = stops
@@ -39,27 +50,21 @@ class Schedule:
 
     def _begin(self, index: int) -> None:
         self._stop = self._stops[index]
-        self._left = float(self._rng.uniform(*self._stop.duration))
+        self.lasts = float(self._rng.uniform(*self._stop.duration))
 
     @property
     def place(self) -> int:
         """Index of the activity region to be in."""
         return self._stop.place
 
-    @property
-    def look(self) -> int:
-        """A schedule leaves the gaze to habit."""
-        return OWN_ACTIVITY
+    def turn_look(self) -> None:
+        """There is none to turn."""
 
-    def play(self, now: float, period: float, *, there: bool) -> None:
-        """Lets time pass; chooses the next stop when the stay is up.
+    def go_on(self, now: float) -> None:
+        """Chooses the next stop.
 
         Args:
-            now: Time since the episode began [s]; schedules do not look at the clock.
-            period: Time since the last call [s].
-            there: Whether this time was spent in the place.
+            now: Time since the episode began [s]; not looked at.
         """
         del now
-        self._left -= period if there else 0.0
-        if self._left <= 0.0:
-            self._begin(int(self._rng.choice(len(self._stops), p=self._stop.then)))
+        self._begin(int(self._rng.choice(len(self._stops), p=self._stop.then)))

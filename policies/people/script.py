@@ -33,11 +33,16 @@ class Line:
 
 
 class Script:
-    """Where a person is in its script.
+    """Where a person is in its script; `Doings` let the time pass.
 
     Args:
         lines: At least one.
         rng: Draws how long each line and each look takes this time.
+
+    Attributes:
+        lasts: Time to be spent in the place of the present line [s].
+        until: When the line ends at the latest [s].
+        look_lasts: Time there until the look is to be turned, to or away [s].
     """
 
     def __init__(self, lines: Sequence[Line], rng: np.random.Generator) -> None:
@@ -47,59 +52,47 @@ class Script:
 
     def _begin(self, index: int) -> None:
         self._index = index
-        self._left = self._drawn(self.line.duration)
+        self.lasts = self._drawn(self._line.duration)
+        self.until = self._line.until
         self._looks = True
-        self._look_left = self._drawn(self.line.look_for)
+        self.look_lasts = self._drawn(self._line.look_for)
 
     def _drawn(self, times: Range) -> float:
         shortest, longest = times
         return shortest if shortest == longest else self._rng.uniform(*times)
 
     @property
-    def line(self) -> Line:
+    def _line(self) -> Line:
         """The line that is being played."""
         return self._lines[self._index]
 
     @property
     def place(self) -> int:
         """Index of the activity region to be in."""
-        return self.line.place
+        return self._line.place
 
     @property
     def look(self) -> int:
         """Index of the entity that the script says to look at, or `OWN_ACTIVITY`."""
-        return self.line.look if self._looks else OWN_ACTIVITY
+        return self._line.look if self._looks else OWN_ACTIVITY
 
-    def play(self, now: float, period: float, *, there: bool) -> None:
-        """Lets time pass; goes on to the next line when the present one is up.
+    def turn_look(self) -> None:
+        """Looks away for a while, or back again."""
+        self._looks = not self._looks
+        line = self._line
+        self.look_lasts = self._drawn(line.look_for if self._looks else line.look_away)
+
+    def go_on(self, now: float) -> None:
+        """Begins the next line whose time is not over; stays where none is left.
 
         Args:
             now: Time since the episode began [s].
-            period: Time since the last call [s].
-            there: Whether this time was spent in the place of the line; other time
-                counts only against ``until``.
         """
-        if there:
-            self._left -= period
-            self._alternate(period)
-        if self._left <= 0.0 or now >= self.line.until:
-            self._go_on(now)
-
-    def _alternate(self, period: float) -> None:
-        """Looks for a while, then looks away for a while."""
-        self._look_left -= period
-        if self._look_left <= 0.0:
-            self._looks = not self._looks
-            line = self.line
-            self._look_left = self._drawn(
-                line.look_for if self._looks else line.look_away
-            )
-
-    def _go_on(self, now: float) -> None:
-        """Begins the next line whose time is not over; stays where none is left."""
         n = len(self._lines)
         following = ((self._index + step) % n for step in range(1, n + 1))
         ahead = (index for index in following if self._lines[index].until > now)
         index = next(ahead, None)
-        if index is not None:
+        if index is None:
+            self.lasts = self.until = inf
+        else:
             self._begin(index)

@@ -9,10 +9,9 @@ from household import household_v0
 from household.activity import Activity
 from household.people.appraisal import (
     heard_strength,
-    moved_mood,
-    opinion,
     seen_strength,
 )
+from household.people.feelings import moved_mood, opinion
 from household.people.norms import Norm, household_norms, norm_table
 from household.people.persona import Persona, load_persona
 from household.people.population import Population, individual, preferences
@@ -88,22 +87,22 @@ def test_an_appraisal_is_preference_times_strength(household_of):
     """A bark of 85 dB at 5 m: 71 dB, full strength; calling, absorbed: -1."""
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.life.people.everyone[0]
+    feelings = env.life.people.feelings
     env.step({"robot_0": BARK})
-    assert list(ann.annoyed) == [1.0]
-    assert list(ann.pleased) == [0.0]
+    assert feelings.annoyed[0].tolist() == [1.0]
+    assert feelings.pleased[0].tolist() == [0.0]
     # The mood fades for a second before anybody can read it.
-    assert ann.mood == pytest.approx(-0.2 * math.exp(-1.0 / 300.0))
+    assert feelings.mood[0] == pytest.approx(-0.2 * math.exp(-1.0 / 300.0))
 
 
 def test_a_bout_is_appraised_once_however_long_it_lasts(household_of):
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.life.people.everyone[0]
+    feelings = env.life.people.feelings
     annoyed = []
     for _ in range(6):
         env.step({"robot_0": BARK})
-        annoyed.append(ann.annoyed[0])
+        annoyed.append(feelings.annoyed[0, 0])
     # A bark takes two seconds; then it is another bark.
     assert annoyed == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
 
@@ -112,11 +111,11 @@ def test_what_is_neither_seen_nor_heard_is_not_appraised(household_of):
     """She turns her back to a robot that sleeps, which she would like."""
     env = household_v0.parallel_env(household_of(people=on_the_phone(mild())))
     env.reset(seed=1)
-    ann = env.life.people.everyone[0]
+    feelings = env.life.people.feelings
     for _ in range(10):
         env.step({"robot_0": SLEEP})
-    assert list(ann.pleased) == [0.0]
-    assert ann.mood == 0.0
+    assert feelings.pleased[0].tolist() == [0.0]
+    assert feelings.mood[0] == 0.0
 
 
 def test_what_is_seen_faintly_counts_by_the_share_of_the_attention(household_of):
@@ -125,14 +124,14 @@ def test_what_is_seen_faintly_counts_by_the_share_of_the_attention(household_of)
     people = on_the_phone(mild(), look_at="robot_0")
     env = household_v0.parallel_env(household_of(people=people))
     env.reset(seed=1)
-    ann = env.life.people.everyone[0]
+    feelings = env.life.people.feelings
     env.step({"robot_0": SLEEP})
     share = 0.6 / (1 + 25 / 9) / (0.3 + 0.6 / (1 + 25 / 9))
     assert share == pytest.approx(0.3462, abs=1e-4)
     attending = bool(env.life.senses.attends[0, 1])
     table = norm_table(household_norms(), ("bark", "sleep"))
     liked = table[Activity.CALLING, int(attending), SLEEP]
-    assert ann.pleased[0] == pytest.approx(2 * share * liked, abs=1e-3)
+    assert feelings.pleased[0, 0] == pytest.approx(2 * share * liked, abs=1e-3)
 
 
 def test_appropriateness_is_what_people_prefer_times_how_they_would_perceive_it(
@@ -172,10 +171,10 @@ def test_a_mood_fades_with_its_time_constant(household_of):
     env = household_v0.parallel_env(household_of(people=on_the_phone(persona)))
     env.reset(seed=1)
     env.step({"robot_0": BARK})
-    after = env.life.people.everyone[0].mood
+    after = env.life.people.feelings.mood[0]
     for _ in range(10):
         env.step({"robot_0": SLEEP})
-    assert env.life.people.everyone[0].mood == pytest.approx(after / math.e)
+    assert env.life.people.feelings.mood[0] == pytest.approx(after / math.e)
 
 
 def test_robots_misread_moods_around_the_truth(household_of):

@@ -107,10 +107,10 @@ def test_a_bark_next_door_wakes_a_light_sleeper_and_in_the_farthest_room_not(
     env.reset(seed=1)
     for _ in range(5):
         env.step({"robot_0": 1})
-    assert not env.life.people.everyone[0].intention.eyes_open
+    assert not env.life.people.intentions.eyes_open[0]
     env.step({"robot_0": 0})
     # 85 dB less 12.04 and 25 next door: 48; less 18.06 and 50 in the farthest: 17.
-    assert env.life.people.everyone[0].intention.eyes_open == wakes
+    assert env.life.people.intentions.eyes_open[0] == wakes
 
 
 def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_rooms):
@@ -131,7 +131,7 @@ def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_r
         env.reset(seed=1)
         for behavior in (1, 1, 1, 0):
             env.step({"robot_0": behavior})
-        awake[persona] = env.life.people.everyone[0].intention.eyes_open
+        awake[persona] = env.life.people.intentions.eyes_open[0]
     assert awake == {"light_sleeper": True, "paper_actor": False}
 
 

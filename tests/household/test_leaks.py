@@ -166,7 +166,7 @@ def test_no_robot_reads_a_mood_exactly(shipped_scenario):
     place = layout(env.scenario)["person_mood"]
     observations, _ = env.reset(seed=2)
     while env.agents:
-        moods = np.array([person.mood for person in env.life.people.everyone])
+        moods = env.life.people.feelings.mood.copy()
         for agent in env.agents:
             read = observations[agent][place][: len(moods)]
             exact = read == moods.astype(np.float32)

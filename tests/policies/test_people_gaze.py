@@ -16,16 +16,18 @@ LIVES = 4000
 
 
 @pytest.fixture
-def gaze(percept):
+def gaze(percepts):
     """Makes somebody who looks around; gives where it looks, second by second."""
 
     def make(seed=0, myself=0, n_people=2, **traits):
         usual = {"robot_interest": 0.0, "people_interest": 0.0, "reflex": 0.0}
         persona = Persona(name="test", **(usual | traits))
-        habits = GazeHabits(persona, myself, n_people, 2, np.random.default_rng(seed))
+        rngs = [np.random.default_rng((seed, i)) for i in range(n_people)]
+        habits = GazeHabits([persona] * n_people, rngs)
 
         def look(levels):
-            return [habits.look(percept(level=level)) for level in levels]
+            seen = (percepts(n_people, level=level) for level in levels)
+            return [int(habits.look(each)[myself]) for each in seen]
 
         return look
 
@@ -73,16 +75,10 @@ def test_both_robots_are_looked_at_alike(gaze):
     assert share(gaze, (ROBOTS[0],), robot_interest=1.0) == chance(0.5)
 
 
-def test_who_lives_alone_with_a_robot_has_nobody_else_to_look_at(percept):
+def test_who_lives_alone_with_a_robot_has_nobody_else_to_look_at(percepts):
     persona = Persona(name="alone", people_interest=1.0, robot_interest=0.0, reflex=0.0)
-    habits = GazeHabits(persona, 0, 1, 1, np.random.default_rng(0))
-    alone = percept(
-        level=np.zeros(2),
-        sees=np.zeros(2, dtype=bool),
-        moving=np.zeros(1, dtype=bool),
-        pleasing=np.zeros(1, dtype=bool),
-    )
-    looks = {habits.look(alone) for _ in range(50)}
+    habits = GazeHabits([persona], [np.random.default_rng(0)])
+    looks = {int(habits.look(percepts(1, 1))[0]) for _ in range(50)}
     assert looks == {OWN_ACTIVITY}
 
 
@@ -136,19 +132,33 @@ def test_the_same_stream_looks_the_same_way(gaze):
     assert gaze(5, **traits)(levels) != gaze(6, **traits)(levels)
 
 
-def test_a_moving_robot_draws_the_eye_that_sees_it(percept):
+def test_a_moving_robot_draws_the_eye_that_sees_it(percepts):
     persona = Persona(
         name="ann", reflex=1.0, robot_interest=0.0, people_interest=0.0, gaze_dwell=1.0
     )
-    sees = np.array([False, False, False, True])
-    moving = np.array([True, True])
+    sees = [False, False, False, True]
+    moving = [True, True]
 
     def looks(**what):
-        habits = GazeHabits(persona, 0, 2, 2, np.random.default_rng(3))
-        return {habits.look(percept(**what)) for _ in range(40)}
+        rngs = [np.random.default_rng(3), np.random.default_rng(4)]
+        habits = GazeHabits([persona] * 2, rngs)
+        return {int(habits.look(percepts(**what))[0]) for _ in range(40)}
 
     assert looks() == {OWN_ACTIVITY}
     assert looks(moving=moving) == {OWN_ACTIVITY}  # nobody sees them
     assert looks(sees=sees) == {OWN_ACTIVITY}  # they stand still
     assert 3 in looks(sees=sees, moving=moving)
     assert 2 not in looks(sees=sees, moving=moving)  # the one that is not seen
+
+
+def test_people_look_each_in_its_own_way(percepts):
+    """One draws robots alone, one people alone, one nothing but what it does."""
+    personas = [
+        Persona(name="a", robot_interest=1.0, people_interest=0.0, reflex=0.0),
+        Persona(name="b", robot_interest=0.0, people_interest=1.0, reflex=0.0),
+        Persona(name="c", robot_interest=0.0, people_interest=0.0, reflex=0.0),
+    ]
+    rngs = [np.random.default_rng(i) for i in range(3)]
+    habits = GazeHabits(personas, rngs)
+    looks = np.array([habits.look(percepts(3, 2)).copy() for _ in range(200)])
+    assert [set(column) for column in looks.T.tolist()] == [{3, 4}, {0, 2}, {-1}]

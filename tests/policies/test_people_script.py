@@ -2,18 +2,19 @@
 
 import itertools
 import math
+from functools import partial
 
 import numpy as np
 import pytest
 
 from household import household_v0
 from household.activity import Activity
-from household.people.appraisal import Judgement
-from household.people.feedback import Cause
+from household.people.individuals import Intention
 from household.people.mind import OWN_ACTIVITY
 from household.people.persona import Persona
 from household.scenario import PersonSpec, ScriptStep, Stay
-from policies.people.minds import EverydayMind
+from policies.people.doings import Doings
+from policies.people.minds import EverydayMinds
 from policies.people.schedule import Schedule, Stop
 from policies.people.script import Line, Script
 
@@ -27,11 +28,11 @@ def minutes(n):
 
 def played(lines, there, period=60.0):
     """Places after each period, spent in the place of the line or not."""
-    script = Script(lines, np.random.default_rng(0))
-    places = [script.place]
+    doings = Doings([Script(lines, np.random.default_rng(0))])
+    places = [int(doings.place[0])]
     for n, present in enumerate(there, start=1):
-        script.play(n * period, period, there=present)
-        places.append(script.place)
+        doings.play(n * period, period, np.array([present]))
+        places.append(int(doings.place[0]))
     return places
 
 
@@ -82,23 +83,23 @@ def test_a_line_looks_for_a_while_and_looks_away_for_a_while():
         look_for=(2.0, 2.0),
         look_away=(3.0, 3.0),
     )
-    script = Script([line], np.random.default_rng(0))
-    looks = [script.look]
+    doings = Doings([Script([line], np.random.default_rng(0))])
+    looks = [int(doings.look[0])]
     for second in range(1, 11):
-        script.play(float(second), 1.0, there=True)
-        looks.append(script.look)
+        doings.play(float(second), 1.0, np.array([True]))
+        looks.append(int(doings.look[0]))
     at, away = ROBOT, OWN_ACTIVITY
     assert looks == [at, at, away, away, away, at, at, away, away, away, at]
 
 
 def test_lengths_are_drawn_anew_between_the_shortest_and_the_longest():
     lines = [Line(place=0, duration=(10.0, 20.0)), Line(place=1, duration=(1.0, 2.0))]
-    script = Script(lines, np.random.default_rng(0))
-    lengths, began = {0: [], 1: []}, 0.0
+    doings = Doings([Script(lines, np.random.default_rng(0))])
+    lengths, began, there = {0: [], 1: []}, 0.0, np.array([True])
     for tick in range(1, 200_000):
-        here = script.place
-        script.play(tick * 0.01, 0.01, there=True)
-        if script.place != here:
+        here = int(doings.place[0])
+        doings.play(tick * 0.01, 0.01, there)
+        if doings.place[0] != here:
             lengths[here].append(tick * 0.01 - began)
             began = tick * 0.01
     for place, (shortest, longest) in ((0, (10.0, 20.0)), (1, (1.0, 2.0))):
@@ -116,11 +117,11 @@ def test_a_schedule_stays_and_goes_on_by_its_weights():
         Stop(6, (1.0, 1.0), np.array([1.0, 0.0, 0.0])),
         Stop(7, (1.0, 1.0), np.array([1.0, 0.0, 0.0])),
     ]
-    schedule = Schedule(stops, np.random.default_rng(0))
-    visited = [schedule.place]
+    doings = Doings([Schedule(stops, np.random.default_rng(0))])
+    visited, there = [int(doings.place[0])], np.array([True])
     for second in range(12_000):
-        schedule.play(float(second), 1.0, there=True)
-        visited.append(schedule.place)
+        doings.play(float(second), 1.0, there)
+        visited.append(int(doings.place[0]))
     assert visited[:2] == [5, 5]
     # Three seconds a round: two at the first place, one at another.
     assert visited.count(5) == pytest.approx(8000, abs=2)
@@ -136,77 +137,105 @@ def test_a_schedule_waits_for_who_is_away():
         ],
         np.random.default_rng(0),
     )
+    doings = Doings([schedule])
     for second in range(50):
-        schedule.play(float(second), 1.0, there=False)
-        assert schedule.place == 0
+        doings.play(float(second), 1.0, np.array([False]))
+        assert doings.place.tolist() == [0]
+
+
+def test_everybody_has_a_time_of_its_own():
+    """One line of two minutes, one of three; who is away stays behind."""
+    two, three = (
+        [Line(i, minutes(n)), Line(9, minutes(n))] for i, n in ((0, 2), (1, 3))
+    )
+    rngs = [np.random.default_rng(i) for i in range(3)]
+    lines = (two, three, two)
+    doings = Doings([Script(*each) for each in zip(lines, rngs, strict=True)])
+    places = []
+    for n in range(1, 5):
+        doings.play(60.0 * n, 60.0, np.array([True, True, n > 1]))
+        places.append(doings.place.tolist())
+    assert places == [[0, 1, 0], [9, 1, 0], [9, 9, 9], [0, 9, 9]]
 
 
 @pytest.fixture
-def mind():
-    """Makes a mind that plays these lines and minds every fault."""
+def mind(percepts):
+    """Makes somebody who plays these lines and minds every fault, beside another."""
 
     def make(*lines, **traits):
         usual = {"sanction": 1.0, "robot_interest": 0.0, "people_interest": 0.0}
         persona = Persona(name="test", **(usual | {"reflex": 0.0} | traits))
-        made = EverydayMind(persona, lambda rng: Script(lines, rng), 0, (2, 2))
-        first = made.reset(np.random.default_rng(0))
-        return made, first
+        doings = [partial(Script, lines)] * 2
+        minds = EverydayMinds([persona] * 2, doings, 2)
+        rngs = [np.random.default_rng(i) for i in range(2)]
+        begins = first(minds.reset(rngs))
+        return (lambda **what: first(minds.decide(percepts(**what)))), begins
 
     return make
 
 
+def first(intentions):
+    """What the first person is about to do."""
+    return Intention(
+        place=int(intentions.place[0]),
+        look=int(intentions.look[0]),
+        eyes_open=bool(intentions.eyes_open[0]),
+        wish=intentions.wishes[0],
+    )
+
+
 def fault(robot=0):
-    return Judgement(robot, -1.0, True, Cause(f"robot_{robot}", 3, 0, 3.0))
+    return (-1.0, robot, True)
 
 
 def test_a_mind_begins_in_the_place_of_its_first_line(mind):
-    _, first = mind(Line(place=4, look=ROBOT))
-    assert (first.place, first.look, first.wish) == (4, ROBOT, None)
+    _, begins = mind(Line(place=4, look=ROBOT))
+    assert (begins.place, begins.look, begins.wish) == (4, ROBOT, None)
 
 
-def test_feedback_interrupts_the_activity_and_afterwards_it_goes_on(mind, percept):
+def test_feedback_interrupts_the_activity_and_afterwards_it_goes_on(mind):
     """Three seconds here, then there; away for ten, it is still here afterwards."""
     person, _ = mind(
         Line(place=0, duration=(3.0, 3.0)), Line(place=1, duration=(9.0, 9.0))
     )
-    person.decide(percept())
-    out = person.decide(percept(judgements=(fault(robot=1),)))
+    person()
+    out = person(bouts=(fault(robot=1),))
     assert out.wish.robot == 1
     assert out.wish.kind == "tap"
     assert out.look == ROBOT + 1
     for _ in range(10):
-        out = person.decide(percept(arrived=False))
+        out = person(arrived=False)
         assert out.wish is not None
-    back = person.decide(percept(arrived=False, touched=True))
+    back = person(arrived=False, touched=True)
     assert (back.place, back.wish) == (0, None)
-    places = [person.decide(percept()).place for _ in range(3)]
+    places = [person().place for _ in range(3)]
     assert places == [0, 1, 1]
 
 
-def test_asleep_means_eyes_closed_and_only_in_bed(mind, percept):
-    person, first = mind(Line(place=0))
-    assert first.eyes_open
+def test_asleep_means_eyes_closed_and_only_in_bed(mind):
+    person, begins = mind(Line(place=0))
+    assert begins.eyes_open
     bed = {"activity": Activity.SLEEPING}
-    assert not person.decide(percept(**bed)).eyes_open
-    assert person.decide(percept(**bed, arrived=False)).eyes_open
-    assert person.decide(percept(activity=Activity.READING)).eyes_open
+    assert not person(**bed).eyes_open
+    assert person(**bed, arrived=False).eyes_open
+    assert person(activity=Activity.READING).eyes_open
 
 
-def test_a_noise_wakes_for_as_long_as_it_takes_to_fall_asleep(mind, percept):
+def test_a_noise_wakes_for_as_long_as_it_takes_to_fall_asleep(mind):
     person, _ = mind(Line(place=0), wakes_at=50.0, awake_for=3.0)
     bed = {"activity": Activity.SLEEPING}
     quiet, loud = np.zeros(4), np.array([0.0, 0.0, 0.0, 50.0])
     talk = np.array([0.0, 90.0, 49.9, 0.0])
     levels = (quiet, talk, loud, quiet, quiet, quiet, quiet)
-    eyes = [person.decide(percept(**bed, level=level)).eyes_open for level in levels]
+    eyes = [person(**bed, level=level).eyes_open for level in levels]
     assert eyes == [False, False, True, True, True, False, False]
 
 
-def test_a_sleeper_who_minds_a_noise_gets_up_to_tap(mind, percept):
+def test_a_sleeper_who_minds_a_noise_gets_up_to_tap(mind):
     person, _ = mind(Line(place=0))
-    asleep = person.decide(percept(activity=Activity.SLEEPING))
+    asleep = person(activity=Activity.SLEEPING)
     assert not asleep.eyes_open
-    up = person.decide(percept(activity=Activity.SLEEPING, judgements=(fault(),)))
+    up = person(activity=Activity.SLEEPING, bouts=(fault(),))
     assert up.eyes_open
     assert up.wish is not None
 

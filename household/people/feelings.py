@@ -1,0 +1,108 @@
+"""Feelings: what appraisals leave behind in people, their moods and their opinions."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
+from household.people.mind import Judgements
+from household.people.persona import Persona
+from household.people.traits import Traits, traits_of
+
+
+class Feelings:
+    """What everybody keeps to itself.
+
+    Args:
+        personas: What kind of person each is.
+        n_robots: How many robots there are.
+        period: Between two decisions [s].
+
+    Attributes:
+        mood: In [-1, 1], shape (n,); robots perceive it with noise.
+        pleased: Sum of each person's positive appraisals of each robot, (n, n_robots).
+        annoyed: Sum of its negative ones, as positive numbers, (n, n_robots).
+    """
+
+    def __init__(
+        self, personas: Sequence[Persona], n_robots: int, period: float
+    ) -> None:
+        self._traits = traits_of(personas)
+        self._fading = np.array([math.exp(-period / p.mood_recovery) for p in personas])
+        self.mood = np.zeros(len(personas))
+        self.pleased = np.zeros((len(personas), n_robots))
+        self.annoyed = np.zeros((len(personas), n_robots))
+
+    def forget(self) -> None:
+        """Begins a new episode."""
+        for felt in (self.mood, self.pleased, self.annoyed):
+            felt[:] = 0.0
+
+    def live_through(self, judgements: Judgements) -> None:
+        """New judgements move moods and are remembered; then moods fade a little."""
+        _live_through(
+            self.mood,
+            self.pleased,
+            self.annoyed,
+            judgements.new,
+            judgements.value,
+            judgements.believed,
+            self._fading,
+            self._traits,
+        )
+
+    def opinion(self, person: int, robot: int) -> int:
+        """A questionnaire answer on a robot, from 1 to 10 (paper, section 4.1)."""
+        return opinion(self.pleased[person, robot], self.annoyed[person, robot])
+
+
+@compiled
+def _live_through(
+    mood: Floats,
+    pleased: Floats,
+    annoyed: Floats,
+    new: Mask,
+    value: Floats,
+    believed: Indices,
+    fading: Floats,
+    traits: Traits,
+) -> None:
+    for i in range(len(mood)):
+        for r in range(new.shape[1]):
+            if new[i, r]:
+                mood[i] = moved_mood(mood[i], value[i, r], traits[i].mood_change)
+                if value[i, r] > 0.0:
+                    pleased[i, believed[i, r]] += value[i, r]
+                else:
+                    annoyed[i, believed[i, r]] -= value[i, r]
+        mood[i] *= fading[i]
+
+
+@compiled
+def moved_mood(mood: float, appraisal: float, change: float) -> float:
+    """The mood after an appraisal: a step towards the appraisal's end of the scale.
+
+    Args:
+        mood: In [-1, 1].
+        appraisal: In [-1, 1]; 0 moves nothing.
+        change: Share of the way for an appraisal of 1 or -1.
+    """
+    end = 1.0 if appraisal > 0 else -1.0
+    return mood + change * abs(appraisal) * (end - mood)
+
+
+def opinion(pleased: float, annoyed: float) -> int:
+    """A questionnaire answer from 1, autistic, to 10, sociable (paper, 4.1).
+
+    Args:
+        pleased: Sum of the positive appraisals lived through.
+        annoyed: Sum of the negative ones, as a positive number.
+
+    Returns:
+        The pleased share of all, on a scale of 1 to 10. Two neutral appraisals of
+        each kind stand at the beginning, so that hardly any experience answers 5.
+    """
+    share = (pleased + 1.0) / (pleased + annoyed + 2.0)
+    return 1 + min(9, int(share * 9 + 0.5))

@@ -1,0 +1,66 @@
+"""From a scenario's scripts and schedules, by name, to doings, by index."""
+
+import math
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+
+from household.people.mind import OWN_ACTIVITY
+from household.people.places import Places
+from household.records import convert, read_toml
+from household.scenario import PersonSpec, Scenario, Stay
+from policies.people.schedule import Schedule, Stop
+from policies.people.script import Line, Script
+
+FOREVER = (math.inf, math.inf)
+
+MakeDoing = Callable[[np.random.Generator], Script | Schedule]
+
+
+def doing_of(scenario: Scenario, index: int) -> MakeDoing:
+    """Begins what one person of a scenario does, given a random stream."""
+    spec, places = scenario.people[index], Places(scenario.plan)
+    if spec.script:
+        names = (*scenario.person_names, *scenario.robot_names)
+        return partial(Script, _lines(spec, places, names))
+    schedule = spec.schedule or _everyday(places)
+    own = {name: places.own(name, index) for name in schedule}
+    return partial(Schedule, _stops(schedule, own))
+
+
+def _lines(spec: PersonSpec, places: Places, names: tuple[str, ...]) -> list[Line]:
+    return [
+        Line(
+            place=places.index(step.place),
+            duration=step.duration or FOREVER,
+            until=step.until or math.inf,
+            look=OWN_ACTIVITY if step.look_at is None else names.index(step.look_at),
+            look_for=step.look_for or FOREVER,
+            look_away=step.look_away,
+        )
+        for step in spec.script
+    ]
+
+
+def _stops(schedule: Mapping[str, Stay], place: Mapping[str, int]) -> list[Stop]:
+    names = list(schedule)
+    weights = np.array([[s.then.get(n, 0.0) for n in names] for s in schedule.values()])
+    return [
+        Stop(place[name], stay.duration, row / row.sum())
+        for (name, stay), row in zip(schedule.items(), weights, strict=True)
+    ]
+
+
+@lru_cache(maxsize=1)
+def _shipped_schedule() -> dict[str, Stay]:
+    path = Path(str(resources.files("household").joinpath("people/schedule.toml")))
+    return convert(read_toml(path), dict[str, Stay], str(path))
+
+
+def _everyday(places: Places) -> dict[str, Stay]:
+    """The shipped schedule, without the activities that a home has no place for."""
+    here = {region.activity for region in places.regions}
+    return {name: stay for name, stay in _shipped_schedule().items() if name in here}
