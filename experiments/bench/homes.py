@@ -20,6 +20,17 @@ FOREVER = 10**9
 """Decisions in an episode that is not to end."""
 
 
+BEINGS = 6
+"""Four people and two robots of the usual household; as many as the peers move."""
+
+
+def evening() -> Household:
+    """Returns the usual household, of four people and two robots."""
+    from household import household_v0
+
+    return household_v0.parallel_env("evening", max_cycles=FOREVER)
+
+
 def household(
     n_people: int, n_robots: int, home: str | FloorPlan = "villa"
 ) -> Household:

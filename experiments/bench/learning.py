@@ -8,10 +8,13 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from experiments.bench.measure import Measure, Settings
+from experiments.bench.measure import Measure, Settings, exponent
 
 BUDGET_ACTORS = 8
 """Actors that the budget of an update is for."""
+
+FLAT = 0.2
+"""Power up to which a time counts as not growing: as much is the machine's noise."""
 
 ACTORS = 4
 """In the states of which more and more are visited."""
@@ -22,8 +25,8 @@ def updates(settings: Settings) -> Iterator[Measure]:
     from learners.analogy import Canonical
     from learners.benchmark import microseconds
 
-    for actors in settings.actors:
-        yield Measure(
+    found = [
+        Measure(
             part="learner's update against actors",
             name=str(actors),
             unit="us",
@@ -34,20 +37,28 @@ def updates(settings: Settings) -> Iterator[Measure]:
             x=actors,
             at_most=20.0 if actors == BUDGET_ACTORS else None,
         )
+        for actors in settings.actors
+    ]
+    yield from (*found, exponent(found, at_most=2.0))
 
 
 def visited(settings: Settings) -> Iterator[Measure]:
     """Yields time of an update and memory of a learner, against what it visited."""
-    found = [_lives(settings.situations) for _ in range(min(settings.repetitions, 3))]
-    for index, situations in enumerate(settings.situations):
-        for place, (what, unit) in enumerate((("update", "us"), ("memory", "kB"))):
-            yield Measure(
+    lives = [_lives(settings.situations) for _ in range(min(settings.repetitions, 3))]
+    for place, (what, unit, at_most) in enumerate(
+        (("update", "us", FLAT), ("memory", "kB", 1.0))
+    ):
+        found = [
+            Measure(
                 part=f"learner's {what} against situations visited",
                 name=str(situations),
                 unit=unit,
-                values=tuple(each[index][place] for each in found),
+                values=tuple(each[index][place] for each in lives),
                 x=situations,
             )
+            for index, situations in enumerate(settings.situations)
+        ]
+        yield from (*found, exponent(found, at_most))
 
 
 def _lives(marks: tuple[int, ...]) -> list[tuple[float, float]]:

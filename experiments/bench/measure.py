@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import statistics
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,8 +83,11 @@ class Settings:
     situations: tuple[int, ...] = (500, 1_000, 2_000, 4_000, 8_000)
     """That a learner has visited."""
 
-    trials: int = 12
-    """With one worker, and again with two."""
+    trials: int = 8
+    """In a repetition, with one worker and again with two."""
+
+    decisions: int = 4000
+    """In each of the trials, so that a repetition lasts some seconds."""
 
 
 def alternate(
@@ -111,6 +117,28 @@ def _turn(call: Callable[[], object], calls: int) -> float:
     for _ in range(calls):
         call()
     return (time.process_time() - begin) / calls
+
+
+def exponent(measures: Sequence[Measure], at_most: float) -> Measure:
+    """Returns with which power of n something grows, in the upper half of its range.
+
+    The slope of the logarithm against that of n, fitted in each repetition; the lower
+    half says little, as what does not grow at all outweighs the rest there.
+
+    Args:
+        measures: At least two, of one part, by growing `x`.
+        at_most: The power that is allowed.
+    """
+    upper = measures[-max(2, (len(measures) + 1) // 2) :]
+    n = np.log([each.x or math.nan for each in upper])
+    slopes = np.polyfit(n, np.log([each.values for each in upper]), 1)[0]
+    return Measure(
+        part=measures[0].part,
+        name="power of n",
+        unit="",
+        values=tuple(slopes.tolist()),
+        at_most=at_most,
+    )
 
 
 def ratios(above: list[float], below: list[float]) -> tuple[float, ...]:

@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 
-from experiments.bench.measure import Measure, Settings
+from experiments.bench.measure import Measure, Settings, ratios
 
 IMPORT = "import household"
 ENVIRONMENT = "import household.household_v0"
@@ -17,9 +17,6 @@ from experiments.cli import main
 with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
     main(["--help"])
 """
-
-DECISIONS = 1500
-"""In each of the trials."""
 
 
 def starting(settings: Settings) -> Iterator[Measure]:
@@ -49,26 +46,31 @@ def _spent(code: str) -> float:
 
 
 def trials(settings: Settings) -> Iterator[Measure]:
-    """Yields trials per minute with one and with two workers, by the clock."""
-    rates = {workers: _per_minute(workers, settings.trials) for workers in (1, 2)}
-    for workers, rate in rates.items():
+    """Yields trials per minute with one and with two workers, in turn, by the clock."""
+    rounds = [
+        [_per_minute(workers, settings) for workers in (1, 2)]
+        for _ in range(settings.repetitions)
+    ]
+    one, two = (list(rates) for rates in zip(*rounds, strict=True))
+    for name, rates in (("1 worker", one), ("2 workers", two)):
         yield Measure(
-            part="trials",
-            name=f"per minute, {workers} worker{'s' if workers > 1 else ''}",
-            unit="1/min",
-            values=(rate,),
+            part="trials", name=f"per minute, {name}", unit="1/min", values=tuple(rates)
         )
     yield Measure(
         part="trials",
         name="2 workers / 1 worker",
         unit="x",
-        values=(rates[2] / rates[1],),
+        values=ratios(two, one),
         at_least=1.8,
     )
 
 
-def _per_minute(workers: int, n: int) -> float:
-    """Counts from when every worker has finished its first trial, and so has begun."""
+def _per_minute(workers: int, settings: Settings) -> float:
+    """Times some trials while every worker is busy.
+
+    The time goes from when every worker has finished a trial, and so has begun, to
+    when the wanted number more are done, and every worker has still something to do.
+    """
     from experiments.engine import open_engine, run_trials
     from experiments.runner import run_trial
     from experiments.trial import Condition, Trial
@@ -77,12 +79,14 @@ def _per_minute(workers: int, n: int) -> float:
         name="bench",
         scenario="experiment_2",
         learner="q_social",
-        scenario_overrides={"max_cycles": DECISIONS},
+        scenario_overrides={"max_cycles": settings.decisions},
     )
-    todo = [Trial(condition=condition, seed=seed) for seed in range(n + workers)]
+    n = settings.trials
+    todo = [Trial(condition=condition, seed=seed) for seed in range(n + 2 * workers)]
     ends = []
     for outcome in run_trials(run_trial, todo, open_engine("local", workers)):
         if outcome.error:
             raise outcome.error
         ends.append(time.perf_counter())
-    return 60.0 * n / (ends[-1] - ends[workers - 1])
+    first = workers - 1
+    return 60.0 * n / (ends[first + n] - ends[first])

@@ -13,6 +13,7 @@ from experiments.results import commit, to_json, versions, write_text, write_who
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from rich.console import Group, RenderableType
     from rich.table import Table
 
     from experiments.bench.measure import Measure, Settings
@@ -80,30 +81,51 @@ def _by_part(measures: Iterable[Measure]) -> dict[str, list[Measure]]:
     return parts
 
 
-def table(measures: Iterable[Measure]) -> Table:
-    """Returns all measures, part by part."""
+def tables(measures: Iterable[Measure]) -> Group:
+    """Returns all measures, a table for each part; 80 columns are enough."""
+    from rich.console import Group
+
+    head = _grid()
+    head.add_row("", "median", "least - most", "budget", style="italic")
+    shown: list[RenderableType] = [head]
+    for part, found in _by_part(measures).items():
+        rows = _grid()
+        for each in found:
+            name, median, least, most, budget, verdict = _cells(each)
+            bounds = f"{budget} {verdict}".strip()
+            rows.add_row(f"  {name}", median, f"{least} - {most}", bounds)
+        shown += [f"[bold]{part}[/bold]", rows]
+    return Group(*shown)
+
+
+def _grid() -> Table:
+    """Columns of the same width in all tables."""
     from rich.table import Table
 
-    shown = Table("", "median", "least", "most", "budget", "")
-    for part, found in _by_part(measures).items():
-        shown.add_section()
-        shown.add_row(part, style="bold")
-        for each in found:
-            shown.add_row(*_cells(each))
-    return shown
+    grid = Table.grid(padding=(0, 2))
+    grid.add_column(width=33)
+    grid.add_column(width=10, justify="right")
+    grid.add_column(width=16, justify="right")
+    grid.add_column(width=15)
+    return grid
 
 
 def _cells(each: Measure) -> tuple[str, ...]:
-    bounds = (("at most", each.at_most), ("at least", each.at_least))
-    budget = "".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
+    bounds = (("<=", each.at_most), (">=", each.at_least))
+    budget = "".join(f"{sign} {bound:g}" for sign, bound in bounds if bound is not None)
     return (
-        f"  {each.name}",
-        f"{each.median:.4g} {each.unit}",
-        f"{min(each.values):.4g}",
-        f"{max(each.values):.4g}",
+        each.name,
+        f"{_number(each.median)} {each.unit}".rstrip(),
+        _number(min(each.values)),
+        _number(max(each.values)),
         budget,
         VERDICTS[each.holds],
     )
+
+
+def _number(value: float) -> str:
+    """Three digits or more, without powers of ten."""
+    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
 
 
 def _plot(measures: Sequence[Measure], path: Path) -> None:
@@ -117,7 +139,7 @@ def _plot(measures: Sequence[Measure], path: Path) -> None:
         figure = Figure(figsize=(3.4 * COLUMNS, 2.6 * rows), layout="constrained")
         axes = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
         for part, ax in zip(parts, axes, strict=False):
-            _draw(ax, part, [each for each in measures if each.part == part])
+            _draw(ax, part, [each for each in measures if each.part == part and each.x])
         for ax in axes[len(parts) :]:
             ax.set_visible(False)
         figure.savefig(path, format="svg", metadata={"Date": None})

@@ -54,18 +54,19 @@ def measure_all(settings: Settings, out: Path) -> None:
         with console.status(f"Measuring {name}"):
             measures += part(settings)
     report.write(measures, settings, out)
-    console.print(report.table(measures))
+    console.print(report.tables(measures))
     for name, value in report.machine().items():
         console.print(f"{name}: {value}")
     console.print(f"{out}: bench.json, bench.md, bench.svg")
 
 
 def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
-    from experiments.bench import learning, processes, stepping
+    from experiments.bench import inside, learning, processes, stepping
 
     return {
         "steps beside peers": stepping.beside_peers,
-        "physics": stepping.beside_physics,
+        "physics": inside.physics,
+        "the parts of a step": inside.parts,
         "growth": stepping.growth,
         "recording": stepping.recording,
         "learners": learning.updates,

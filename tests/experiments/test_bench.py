@@ -1,8 +1,11 @@
+import io
 import json
 
 import pytest
+from rich.console import Console
 
-from experiments.bench.measure import Measure, Settings, alternate
+from experiments.bench.measure import Measure, Settings, alternate, exponent
+from experiments.bench.report import tables
 from experiments.commands.benchmarking import measure_all
 
 TINY = Settings(
@@ -14,6 +17,7 @@ TINY = Settings(
     actors=(1, 2),
     situations=(5, 10),
     trials=2,
+    decisions=20,
 )
 
 
@@ -45,7 +49,8 @@ def test_every_part_is_measured(told):
         "step against people, with 2 robots",
         "step against robots, with 4 people",
         "step against walls, with 4 people + 2 robots",
-        "growth",
+        "largest household",
+        "where a step goes",
         "recording",
         "learner's update against actors",
         "learner's update against situations visited",
@@ -57,9 +62,9 @@ def test_every_part_is_measured(told):
 
 def test_every_measure_was_repeated_and_is_a_positive_number(told):
     for measure in told["measures"]:
-        few = 1 if measure["part"] == "trials" else TINY.repetitions
-        assert len(measure["values"]) == few
-        assert min(measure["values"]) > 0
+        assert len(measure["values"]) == TINY.repetitions
+        # What does not grow may come out with any power of n near 0.
+        assert min(measure["values"]) > 0 or measure["name"] == "power of n"
         assert measure["median"] <= max(measure["values"])
 
 
@@ -67,12 +72,68 @@ def test_every_budget_that_can_be_checked_without_peers_is_there(told):
     checked = {m["name"] for m in told["measures"] if m["holds"] is not None}
     assert checked >= {
         "step / Space.step",
-        "2 people + 2 robots / 4 people + 2 robots",
+        "2 people + 2 robots / 4 + 2",
         "recorded step / plain step",
         "import household",
         "household --help",
         "2 workers / 1 worker",
     }
+
+
+def test_every_growth_has_its_power_of_n_and_what_it_may_be(told):
+    allowed = {
+        m["part"]: m["at_most"] for m in told["measures"] if m["name"] == "power of n"
+    }
+    assert allowed == {
+        "step against people, with 2 robots": 2.0,
+        "step against robots, with 4 people": 2.0,
+        "step against walls, with 4 people + 2 robots": 1.0,
+        "learner's update against actors": 2.0,
+        "learner's update against situations visited": 0.2,
+        "learner's memory against situations visited": 1.0,
+    }
+
+
+def test_the_parts_of_a_step_make_up_all_of_it(told):
+    rounds = zip(
+        *(m["values"] for m in told["measures"] if m["part"] == "where a step goes"),
+        strict=True,
+    )
+    assert [sum(shares) for shares in rounds] == pytest.approx([100.0, 100.0])
+
+
+def test_the_table_fits_80_columns_with_every_name_on_a_line_of_its_own(told):
+    fields = ("part", "name", "unit", "values", "x", "at_most", "at_least")
+    # As wide as it gets: the longest names, large numbers and a budget missed.
+    longest = Measure(
+        part="learner's memory against situations visited",
+        name="observations, situations, infos",
+        unit="kB",
+        values=(81_234.0, 91_234.0),
+        at_most=1000.0,
+    )
+    measures = [Measure(**{f: m[f] for f in fields}) for m in told["measures"]]
+    console = Console(width=80, file=io.StringIO())
+    console.print(tables([*measures, longest]))
+    lines = console.file.getvalue().splitlines()
+    assert max(map(len, lines)) <= 80
+    for each in (*measures, longest):
+        assert any(line.startswith(f"  {each.name}  ") for line in lines)
+        assert each.part in lines
+
+
+def test_what_grows_with_the_pairs_grows_with_the_second_power():
+    def found(*times):
+        return [
+            Measure(part="p", name=str(n), unit="us", values=(t, 2 * t), x=n)
+            for n, t in zip((1, 2, 4, 8), times, strict=True)
+        ]
+
+    # Only the upper half counts: what is there at the beginning does not hide it.
+    pairs = exponent(found(900.0, 500.0, 16.0, 64.0), at_most=2.0)
+    assert pairs.values == pytest.approx((2.0, 2.0))
+    flat = exponent(found(1.0, 9.0, 5.0, 5.0), at_most=0.2)
+    assert flat.values == pytest.approx((0.0, 0.0), abs=1e-9)
 
 
 def test_the_growth_is_drawn(measured):

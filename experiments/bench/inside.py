@@ -1,0 +1,146 @@
+"""Inside a step: what the physics engine takes of it, and where all of it goes."""
+
+from __future__ import annotations
+
+import math
+import statistics
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from itertools import cycle
+from operator import attrgetter
+from typing import TYPE_CHECKING
+
+from experiments.bench.homes import BEINGS, Stepping, evening
+from experiments.bench.measure import Measure, Settings, microseconds, ratios
+
+if TYPE_CHECKING:
+    from household.environment import Household
+
+PARTS = {
+    "robots set out": "life._move_robots",
+    "everybody walks, people touch": "life._walk_and_touch",
+    "heads turn": "life._look_around",
+    "everybody perceives": "life._perceive",
+    "people judge": "life.people.judge",
+    "people decide and set out": "life.people.decide",
+    "observations, situations, infos": "_results",
+}
+"""The parts of a step: the methods of the environment that they are done by."""
+
+PACE = 1.0
+"""At which everybody walks where the engine is measured alone [m/s]."""
+
+
+def physics(settings: Settings) -> Iterator[Measure]:
+    """Yields how a step compares to the engine's own work.
+
+    Once to those calls of the engine that are really made, which are none where nobody
+    walks; and once to ten ticks in which all six bodies walk.
+    """
+    env, spent = evening(), list[float]()
+    walk = _walk(evening())
+    with _timed(env.life.crowd.space, "step", spent):
+        step, rounds = Stepping(env), list[tuple[float, float, float]]()
+        for _ in range(settings.repetitions):
+            spent.clear()
+            begin = time.process_time()
+            for _ in range(settings.steps):
+                step()
+            whole = time.process_time() - begin
+            # The median call, since other work on the machine may interrupt a few.
+            calls = statistics.median(spent) * len(spent) if spent else math.nan
+            alone = statistics.median(walk() for _ in range(settings.steps))
+            rounds.append((whole / settings.steps, calls / settings.steps, alone))
+    whole_step, made, walking = (list(each) for each in zip(*rounds, strict=True))
+    for name, seconds, ratio, at_most in (
+        ("Space.step as called in a step", made, "step / Space.step", 3.0),
+        ("10 x Space.step, all walking", walking, "step / that, all walking", None),
+    ):
+        yield Measure(
+            part="physics", name=name, unit="us", values=microseconds(seconds)
+        )
+        yield Measure(
+            part="physics",
+            name=ratio,
+            unit="x",
+            values=ratios(whole_step, seconds),
+            at_most=at_most,
+        )
+
+
+def _walk(env: Household) -> Callable[[], float]:
+    """Returns what times the engine while everybody walks for one decision period.
+
+    All walk in different directions, and back in the next period.
+    """
+    env.reset(seed=0)
+    space, scenario = env.life.crowd.space, env.scenario
+    ticks = range(round(scenario.decision_period / scenario.physics_period))
+    angles = [2 * math.pi * i / BEINGS for i in range(BEINGS)]
+    signs = cycle((PACE, -PACE))
+
+    def walk() -> float:
+        pace = next(signs)
+        for body, angle in zip(space.bodies, angles, strict=True):
+            body.velocity = pace * math.cos(angle), pace * math.sin(angle)
+        begin = time.perf_counter()
+        for _ in ticks:
+            space.step(scenario.physics_period)
+        return time.perf_counter() - begin
+
+    return walk
+
+
+def parts(settings: Settings) -> Iterator[Measure]:
+    """Yields the share of each part of a step."""
+    env = evening()
+    spent: dict[str, list[float]] = {name: [] for name in PARTS}
+    with ExitStack() as timers:
+        for name, path in PARTS.items():
+            owner, _, method = path.rpartition(".")
+            part_of = attrgetter(owner)(env) if owner else env
+            timers.enter_context(_timed(part_of, method, spent[name]))
+        step = Stepping(env)
+        rounds = [
+            _shares(step, settings.steps, spent) for _ in range(settings.repetitions)
+        ]
+    for name in rounds[0]:
+        yield Measure(
+            part="where a step goes",
+            name=name,
+            unit="%",
+            values=tuple(100.0 * shares[name] for shares in rounds),
+        )
+
+
+def _shares(
+    step: Stepping, steps: int, spent: dict[str, list[float]]
+) -> dict[str, float]:
+    """Makes some steps and returns which share of them each part took."""
+    for each in spent.values():
+        each.clear()
+    begin = time.perf_counter()
+    for _ in range(steps):
+        step()
+    whole = time.perf_counter() - begin
+    shares = {name: sum(each) / whole for name, each in spent.items()}
+    return shares | {"all else": 1.0 - sum(shares.values())}
+
+
+@contextmanager
+def _timed(owner: object, method: str, spent: list[float]) -> Iterator[None]:
+    """Notes what each call of a method takes; wall time, which costs least to ask."""
+    call: Callable[..., object] = getattr(owner, method)
+
+    def timed(*args: object, **named: object) -> object:
+        begin = time.perf_counter()
+        answer = call(*args, **named)
+        spent.append(time.perf_counter() - begin)
+        return answer
+
+    setattr(owner, method, timed)
+    try:
+        yield
+    finally:
+        delattr(owner, method)
