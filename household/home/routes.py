@@ -13,22 +13,25 @@ from scipy.sparse.csgraph import connected_components
 
 from household.home.floorplan import FloorPlan
 from household.home.straight import (
-    cells_between,
-    line_is_free,
-    nearest,
+    CELL,
+    CLOSED,
+    FAR,
+    NOWHERE,
+    cell_of,
+    ends_of,
     onward_to,
-    turning_points,
+    turning_way,
 )
 from household.records import Point
-
-CELL = 0.1
-"""Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
 
 CLEARANCE = 0.3
 """From a walker's center to anything solid [m]: its radius of 0.25 and a margin."""
 
 STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 """Half of the eight directions; the graph is undirected."""
+
+KEPT = 1024
+"""Goals to which ways are kept at most; they take 4 bytes per cell."""
 
 MARGIN = 6 * CELL
 """Free ground round the home [m], so that all that is outdoors hangs together."""
@@ -45,6 +48,7 @@ class Routes:
         shape = np.ceil((plan.upper + MARGIN - self._origin) / CELL).astype(int)
         self._shape: tuple[int, int] = (int(shape[0]), int(shape[1]))
         self.free = self._clear_of(plan)
+        self._kept: dict[int, NDArray[np.int32]] = {}
 
     def _clear_of(self, plan: FloorPlan) -> NDArray[np.bool_]:
         """Marks the cells whose center clears walls and furniture."""
@@ -90,16 +94,7 @@ class Routes:
 
     def cell(self, point: Point | Array) -> tuple[int, int]:
         """The grid cell that holds a point, clipped to the grid."""
-        x, y = self._in_cells(point)
-        return (
-            min(max(int(x), 0), self._shape[0] - 1),
-            min(max(int(y), 0), self._shape[1] - 1),
-        )
-
-    def _in_cells(self, point: Point | Array) -> Point:
-        """A point in cells from the grid's corner."""
-        left, lower = self._corner
-        return (float(point[0]) - left) / CELL, (float(point[1]) - lower) / CELL
+        return cell_of(self.free, self._corner, (float(point[0]), float(point[1])))
 
     def is_indoors(self, point: Array) -> bool:
         """Whether a body fits at a point that the walls close off from outside."""
@@ -112,31 +107,18 @@ class Routes:
         fits = bool(self.free[a]) and bool(self.free[b])
         return fits and bool(self.parts[a] == self.parts[b])
 
-    def nearest_free(self, point: Point | Array) -> tuple[int, int]:
-        """The indoor free cell nearest to a point, itself if it is free."""
-        cell = self.cell(point)
-        if self._indoors[cell]:
-            return cell
-        here = (float(point[0]), float(point[1]))
-        x, y = self._indoor_cells[nearest(self._indoor_centers, here)].tolist()
-        return (x, y)
-
     @cached_property
     def _indoors(self) -> NDArray[np.bool_]:
         return self.free & (self.parts != self.parts[0, 0])
 
     @cached_property
-    def _indoor_cells(self) -> NDArray[np.intp]:
-        return np.argwhere(self._indoors)
+    def _indoor_centers(self) -> Array:
+        return self._origin + (np.argwhere(self._indoors) + 0.5) * CELL
 
     @cached_property
-    def _indoor_centers(self) -> Array:
-        return self._origin + (self._indoor_cells + 0.5) * CELL
-
-    @lru_cache(maxsize=1024)  # noqa: B019 - as long-lived as the cached Routes itself
-    def _towards(self, goal: tuple[int, int]) -> NDArray[np.int32]:
-        """For each cell the next cell on its shortest way to a goal."""
-        return onward_to(self.free, goal[0] * self._shape[1] + goal[1])
+    def _untrodden(self) -> NDArray[np.int32]:
+        """Of the cells, for `onward_to`."""
+        return np.where(self._indoors, FAR, CLOSED).astype(np.int32)
 
     def plan(self, start: Point, goal: Point) -> list[Point]:
         """Waypoints of a short walk.
@@ -150,31 +132,26 @@ class Routes:
             Points [m] to walk to one after the other, the last one nearest to the
             goal. Empty if no way leads there.
         """
-        first, last = self.nearest_free(start), self.nearest_free(goal)
-        if self.parts[first] != self.parts[last]:
-            return []
-        end = goal if self.cell(goal) == last else self._center(last)
-        if self.line_is_free(start, end):
-            return [end]
-        return self._pulled_straight(first, last, end)
+        first, last, end = ends_of(
+            self.free, self.parts, self._indoor_centers, self._corner, start, goal
+        )
+        if first == last:
+            return [end] if first != NOWHERE else []
+        onward = self._onward(first, last)
+        return turning_way(self.free, onward, self._corner, first, end)
 
-    def _pulled_straight(
-        self, first: tuple[int, int], last: tuple[int, int], end: Point
-    ) -> list[Point]:
-        """The points at which the shortest way between two cells must turn."""
-        height = self._shape[1]
-        begin, goal = first[0] * height + first[1], self._in_cells(end)
-        points = cells_between(self._towards(last), begin, height, goal)
-        turns = points[turning_points(self.free, points)[:-1]]
-        return [(x, y) for x, y in (self._origin + turns * CELL).tolist()] + [end]
+    def _onward(self, first: int, last: int) -> NDArray[np.int32]:
+        """Ways to the last cell from all that are as near as the first.
 
-    def line_is_free(self, start: Point, end: Point) -> bool:
-        """Whether a body can walk straight from one point to another."""
-        return bool(line_is_free(self.free, self._in_cells(start), self._in_cells(end)))
-
-    def _center(self, cell: tuple[int, int]) -> Point:
-        x, y = self._origin + (np.array(cell) + 0.5) * CELL
-        return float(x), float(y)
+        They are kept for the next who walks there: that saves time, and changes no way.
+        """
+        onward = self._kept.get(last)
+        if onward is None or onward[first] == NOWHERE:
+            onward = onward_to(self._untrodden, last, first)
+            if len(self._kept) >= KEPT:
+                self._kept.clear()
+            self._kept[last] = onward
+        return onward
 
 
 def _shifted(dx: int, dy: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:

@@ -1,9 +1,20 @@
-"""Ways on the grid of free space, compiled: shortest ones, and pulled straight."""
+"""Ways on the grid of free space, compiled: shortest ones, and pulled straight.
+
+Where a cell is one number, it is its index in ``free.ravel()``.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.compiled import compiled
+from household.records import Point
+
+Array = NDArray[np.float64]
+Grid = NDArray[np.bool_]
+Cells = NDArray[np.int32]
+
+CELL = 0.1
+"""Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
 
 SAMPLES = 2.0
 """Samples for each cell's length along a line."""
@@ -12,104 +23,182 @@ STRAIGHT, DIAGONAL = 12, 17
 """Lengths of steps to neighboring cells: whole numbers, so that cells are found in
 order of distance without a heap; their ratio is the square root of 2 to 0.2 %."""
 
+BUCKETS = 32
+"""More than `DIAGONAL`, for all distances that can be waiting; a power of two, for
+which a remainder is cheap."""
+
 NOWHERE = -1
 """Where no way goes on."""
 
+FAR, CLOSED = np.iinfo(np.int32).max, -1
+"""Distance of cells not yet found, and of those that no way may lead through."""
+
 
 @compiled
-def onward_to(free: NDArray[np.bool_], goal: int) -> NDArray[np.int32]:
-    """Shortest ways from everywhere to one cell (Dijkstra's, with Dial's buckets).
+def ends_of(
+    free: Grid, parts: Cells, indoors: Array, corner: Point, start: Point, goal: Point
+) -> tuple[int, int, Point]:
+    """Where a walk begins and ends.
 
     Args:
         free: The grid, shape (width, height).
-        goal: Index of a cell, in the order of ``free.ravel()``.
+        parts: Label of the connected part of each cell, shape (width, height); the
+            very first is outdoors.
+        indoors: Middles of the free cells indoors, shape (n, 2) [m].
+        corner: Of the grid [m].
+        start: Where it begins [m].
+        goal: Where it should end [m]; where no body fits, it ends at the middle of
+            the nearest cell where one does.
 
     Returns:
-        For each cell the next one on its way, `NOWHERE` at the goal and where there
-        is no way, shape (width * height,).
+        The first cell and the last, the same for a walk straight there, `NOWHERE`
+        for none; and the point where it ends [m].
     """
-    width, height = free.shape
-    onward = np.full(free.size, NOWHERE, np.int32)
-    away = np.full(free.size, np.iinfo(np.int32).max, np.int32)
-    # A bucket for each distance that can be waiting; in each a list of entries.
-    first = np.full(DIAGONAL + 1, NOWHERE, np.int32)
-    following = np.empty(8 * free.size + 1, np.int32)
-    cell_of = np.empty(8 * free.size + 1, np.int32)
-    away[goal], first[0], following[0], cell_of[0] = 0, 0, NOWHERE, goal
-    entries, waiting, distance = 1, 1, 0
-    while waiting > 0:
-        entry = first[distance % len(first)]
-        first[distance % len(first)] = NOWHERE
-        while entry != NOWHERE:
-            cell, entry = cell_of[entry], following[entry]
-            waiting -= 1
-            if away[cell] < distance:
-                continue
-            x, y = cell // height, cell % height
-            for dx in range(-1, 2):
-                for dy in range(-1, 2):
-                    i, j = x + dx, y + dy
-                    if not (0 <= i < width and 0 <= j < height and free[i, j]):
-                        continue
-                    there = i * height + j
-                    reached = distance + (DIAGONAL if dx and dy else STRAIGHT)
-                    if reached < away[there]:
-                        away[there], onward[there] = reached, cell
-                        bucket = reached % len(first)
-                        cell_of[entries], following[entries] = there, first[bucket]
-                        first[bucket] = entries
-                        entries += 1
-                        waiting += 1
-        distance += 1
-    return onward
+    a, b = cell_of(free, corner, start), cell_of(free, corner, goal)
+    if not _is_indoors(free, parts, a):
+        a = cell_of(free, corner, _nearest(indoors, start))
+    if not _is_indoors(free, parts, b):
+        goal = _nearest(indoors, goal)
+        b = cell_of(free, corner, goal)
+    if parts[a] != parts[b]:
+        return NOWHERE, NOWHERE, goal
+    last = b[0] * free.shape[1] + b[1]
+    if line_is_free(free, _in_cells(corner, start), _in_cells(corner, goal)):
+        return last, last, goal
+    return a[0] * free.shape[1] + a[1], last, goal
 
 
 @compiled
-def cells_between(
-    onward: NDArray[np.int32], first: int, height: int, end: tuple[float, float]
-) -> NDArray[np.float64]:
-    """Middles of the cells on a way, and the point where it ends.
-
-    Args:
-        onward: From `onward_to`.
-        first: Index of the cell where the way begins.
-        height: Of the grid, in cells.
-        end: In the last of the cells, in cells from the grid's corner.
-
-    Returns:
-        Shape (n, 2), in cells from the grid's corner.
-    """
-    count, here = 1, onward[first]
-    while here != NOWHERE:
-        count, here = count + 1, onward[here]
-    points, here = np.empty((count + 1, 2)), np.int32(first)
-    points[count, 0], points[count, 1] = end
-    for k in range(count):
-        points[k, 0], points[k, 1] = here // height + 0.5, here % height + 0.5
-        here = onward[here]
-    return points
+def _in_cells(corner: Point, point: Point) -> Point:
+    """A point [m] in cells from the grid's corner."""
+    return (point[0] - corner[0]) / CELL, (point[1] - corner[1]) / CELL
 
 
 @compiled
-def nearest(points: NDArray[np.float64], point: tuple[float, float]) -> int:
-    """Index of the point that is nearest to another.
+def cell_of(free: Grid, corner: Point, point: Point) -> tuple[int, int]:
+    """Column and row of the cell that holds a point [m], clipped to the grid."""
+    x, y = _in_cells(corner, point)
+    return (
+        min(max(int(x), 0), free.shape[0] - 1),
+        min(max(int(y), 0), free.shape[1] - 1),
+    )
 
-    Args:
-        points: Shape (n, 2).
-        point: The other.
-    """
+
+@compiled
+def _is_indoors(free: Grid, parts: Cells, cell: tuple[int, int]) -> bool:
+    """Whether a body fits in a cell that the walls close off from outside."""
+    return free[cell] and parts[cell] != parts[0, 0]
+
+
+@compiled
+def _nearest(points: Array, point: Point) -> Point:
+    """The one of some points, shape (n, 2), that is nearest to another."""
     best, least = 0, np.inf
     for i in range(len(points)):
         dx, dy = points[i, 0] - point[0], points[i, 1] - point[1]
         if dx * dx + dy * dy < least:
             best, least = i, dx * dx + dy * dy
-    return best
+    return points[best, 0], points[best, 1]
 
 
 @compiled
-def line_is_free(
-    free: NDArray[np.bool_], start: tuple[float, float], end: tuple[float, float]
-) -> bool:
+def onward_to(untrodden: Cells, goal: int, start: int) -> Cells:
+    """Shortest ways to a cell (Dijkstra's, with Dial's buckets).
+
+    The search ends once the way from ``start`` is known, and with it all ways that are
+    no longer. They are the same however far a search goes.
+
+    Args:
+        untrodden: `FAR` for each cell where ways may lead, none of them at the edge
+            of the grid, and `CLOSED` for all others, shape (width, height).
+        goal: A cell.
+        start: A cell from which a way leads there.
+
+    Returns:
+        For each cell the next one on its way, `NOWHERE` at the goal and where the way
+        is not known, shape (width * height,).
+    """
+    height = untrodden.shape[1]
+    away = untrodden.copy().ravel()  # As far as found.
+    onward = np.full(away.size, NOWHERE, np.int32)
+    # A bucket for each distance that can be waiting, in each a list of entries: a
+    # cell, the next one on its way and the entry that follows in the bucket.
+    bucket = np.full(BUCKETS, NOWHERE, np.int32)
+    cells, nexts, followers = np.empty((3, 8 * away.size + 1), np.int32)
+    cells[0], nexts[0], followers[0] = goal, NOWHERE, NOWHERE
+    away[goal], bucket[0], entries, distance = 0, 0, 1, 0
+    while away[start] >= distance:
+        entry = bucket[distance % BUCKETS]
+        bucket[distance % BUCKETS] = NOWHERE
+        while entry != NOWHERE:
+            cell, onto, entry = cells[entry], nexts[entry], followers[entry]
+            if away[cell] < distance:
+                continue
+            onward[cell] = onto
+            for dx in range(-1, 2):
+                for dy in range(-1, 2):
+                    there = cell + dx * height + dy
+                    reached = distance + (DIAGONAL if dx and dy else STRAIGHT)
+                    if reached < away[there]:
+                        k = reached % BUCKETS
+                        cells[entries], nexts[entries] = there, cell
+                        followers[entries], bucket[k] = bucket[k], entries
+                        away[there], entries = reached, entries + 1
+        distance += 1
+    return onward
+
+
+@compiled
+def turning_way(
+    free: Grid, onward: Cells, corner: Point, first: int, end: Point
+) -> list[Point]:
+    """A shortest way pulled straight: one walks straight between its points.
+
+    Args:
+        free: The grid, shape (width, height).
+        onward: From `onward_to`.
+        corner: Of the grid [m].
+        first: The cell where the way begins.
+        end: Where it ends, in the last cell [m].
+
+    Returns:
+        The points where it turns, and its end [m].
+    """
+    middles = _middles(onward, first, free.shape[1])
+    goal, last = _in_cells(corner, end), len(middles) - 1
+    way: list[Point] = []
+    here = 0
+    while here < last:
+        start = (middles[here, 0], middles[here, 1])
+        if line_is_free(free, start, goal):
+            break
+        there = last
+        while there > here + 1:
+            if line_is_free(free, start, (middles[there, 0], middles[there, 1])):
+                break
+            there -= 1
+        x, y = middles[there, 0], middles[there, 1]
+        way.append((corner[0] + x * CELL, corner[1] + y * CELL))
+        here = there
+    way.append(end)
+    return way
+
+
+@compiled
+def _middles(onward: Cells, first: int, height: int) -> Array:
+    """Middles of the cells on a way, shape (n, 2), in cells from the grid's corner."""
+    count, here = 0, first
+    while here != NOWHERE:
+        count, here = count + 1, onward[here]
+    middles, here = np.empty((count, 2)), first
+    for k in range(count):
+        middles[k, 0], middles[k, 1] = here // height + 0.5, here % height + 0.5
+        here = onward[here]
+    return middles
+
+
+@compiled
+def line_is_free(free: Grid, start: Point, end: Point) -> bool:
     """Whether every cell along a line is free.
 
     Args:
@@ -127,32 +216,3 @@ def line_is_free(
         if not free[x, y]:
             return False
     return True
-
-
-@compiled
-def turning_points(
-    free: NDArray[np.bool_], points: NDArray[np.float64]
-) -> NDArray[np.int64]:
-    """The points of a path at which one must turn; between them one walks straight.
-
-    Args:
-        free: The grid, shape (width, height).
-        points: The path from cell to neighboring cell, shape (n, 2), in cells.
-
-    Returns:
-        Indices of the points that are kept, the last one always, the first never.
-    """
-    n = points.shape[0]
-    kept = np.empty(n, np.int64)
-    count, here = 0, 0
-    while here < n - 1:
-        there = n - 1
-        start = (points[here, 0], points[here, 1])
-        while there > here + 1:
-            if line_is_free(free, start, (points[there, 0], points[there, 1])):
-                break
-            there -= 1
-        kept[count] = there
-        count += 1
-        here = there
-    return kept[:count]
