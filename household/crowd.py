@@ -82,6 +82,7 @@ class Crowd:
         self._pace = np.zeros(n)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
+        self._due = np.zeros(n, np.bool_)
         self._sidesteps = 0
         self._end = np.zeros((n, 2))
         self._settled = np.full((n, 2), np.nan)
@@ -194,7 +195,7 @@ class Crowd:
         )
         self._stand(self._world.advance(self._tick, self._ticks))
         # Bodies that were pushed come to rest in the period after.
-        due, self._moving = follow_up(
+        anybody, self._moving = follow_up(
             before,
             self.position,
             self._waypoint,
@@ -202,9 +203,15 @@ class Crowd:
             self._pace,
             self._nearest,
             self._stalled,
+            self._due,
             self._period,
         )
-        for i in due.tolist():
+        if anybody:
+            self._decide()
+
+    def _decide(self) -> None:
+        """Who is at its waypoint heads for the next, who is stuck tries another way."""
+        for i in np.flatnonzero(self._due).tolist():
             if self._stalled[i] >= STUCK:
                 self._try_another_way(i)
             else:

@@ -96,8 +96,9 @@ def follow_up(
     pace: Array,
     nearest: Array,
     stalled: Array,
+    due: NDArray[np.bool_],
     period: float,
-) -> tuple[NDArray[np.intp], bool]:
+) -> tuple[bool, bool]:
     """Notes how every walker came on.
 
     Args:
@@ -109,14 +110,15 @@ def follow_up(
         nearest: How near each came to its waypoint, shape (n,) [m]; brought up to
             date in place.
         stalled: Since how long each came no nearer, (n,) [s]; likewise.
+        due: Set to who has something to decide: those that are at their waypoint, and
+            those whose ``stalled`` is `STUCK` or more, shape (n,).
         period: Time since ``before`` [s].
 
     Returns:
-        Who has something to decide: those that are at their waypoint, and those
-        whose ``stalled`` is `STUCK` or more; and whether anybody moved at all.
+        Whether anybody has something to decide, and whether anybody moved at all.
     """
     n = position.shape[0]
-    due = np.zeros(n, np.bool_)
+    due[:] = False
     moved = False
     for i in range(n):
         dx, dy = position[i, 0] - before[i, 0], position[i, 1] - before[i, 1]
@@ -132,7 +134,7 @@ def follow_up(
         else:
             stalled[i] += period
             due[i] = stalled[i] >= STUCK
-    return np.flatnonzero(due), moved
+    return bool(due.any()), moved
 
 
 @compiled

@@ -28,7 +28,8 @@ def keep_out(
     segments: Array,
     thickness: Array,
     boxes: Array,
-) -> NDArray[np.intp]:
+    moved: NDArray[np.bool_],
+) -> bool:
     """Puts bodies back that sank into something solid.
 
     A body whose middle went through a segment goes back to where it was; one that
@@ -41,15 +42,16 @@ def keep_out(
         radius: Shape (n,) [m].
         segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Half thickness of each segment, shape (m,) [m].
-        boxes: Of the segments, from `boxes_round`.
+        boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
+        moved: Set to whose position was changed, shape (n,).
 
     Returns:
-        Indices of those whose position was changed.
+        Whether any was.
     """
-    moved = np.zeros(len(after), np.bool_)
+    moved[:] = False
     for i in range(len(after)):
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
-        if a == b:
+        if a == b or _is_clear(a, b, radius[i], thickness, boxes):
             continue
         if _goes_through(a, b, segments, boxes):
             b, moved[i] = a, True
@@ -65,7 +67,30 @@ def keep_out(
         ):
             b = a
         after[i, 0], after[i, 1] = b
-    return np.flatnonzero(moved)
+    return bool(moved.any())
+
+
+@compiled
+def _is_clear(
+    a: Point, b: Point, radius: float, thickness: Array, boxes: Array
+) -> bool:
+    """Whether a body that goes from a to b stays away from the boxes of all segments.
+
+    It nearly always does. Without a branch in the loop, the processor compares with
+    several boxes at once.
+    """
+    left, right = min(a[0], b[0]), max(a[0], b[0])
+    low, high = min(a[1], b[1]), max(a[1], b[1])
+    near = False
+    for k in range(len(thickness)):
+        reach = radius + thickness[k]
+        near |= (
+            (left <= boxes[2, k] + reach)
+            & (low <= boxes[3, k] + reach)
+            & (right >= boxes[0, k] - reach)
+            & (high >= boxes[1, k] - reach)
+        )
+    return not near
 
 
 @compiled
@@ -128,10 +153,10 @@ def _near(box: tuple[float, ...], reach: float, boxes: Array, k: int) -> bool:
     Four comparisons that spare most segments the exact look.
     """
     return (
-        box[0] <= boxes[k, 2] + reach
-        and box[1] <= boxes[k, 3] + reach
-        and box[2] >= boxes[k, 0] - reach
-        and box[3] >= boxes[k, 1] - reach
+        box[0] <= boxes[2, k] + reach
+        and box[1] <= boxes[3, k] + reach
+        and box[2] >= boxes[0, k] - reach
+        and box[3] >= boxes[1, k] - reach
     )
 
 
@@ -142,7 +167,7 @@ def boxes_round(segments: Array) -> Array:
         segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
 
     Returns:
-        Shape (m, 4), rows of the lower left and the upper right corner [m].
+        Shape (4, m): left, lower, right and upper edges [m].
     """
-    one, other = segments[:, :2], segments[:, 2:]
-    return np.hstack([np.minimum(one, other), np.maximum(one, other)])
+    one, other = segments[:, :2].T, segments[:, 2:].T
+    return np.array([*np.minimum(one, other), *np.maximum(one, other)])

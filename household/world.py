@@ -49,6 +49,7 @@ class World:
         velocities, self._velocity_buffer = self._batch()
         self._place, self.velocity = places[rows], velocities[rows]
         self._position = self._place.copy()
+        self._sunk = np.zeros(len(radius), np.bool_)
 
     def _add_home(self, plan: FloorPlan) -> None:
         ground = self.space.static_body
@@ -118,15 +119,16 @@ class World:
         for _ in range(ticks):
             self.space.step(tick)
         self._read()
-        sunk = keep_out(
+        if keep_out(
             self._position,
             self._place,
             self._radius,
             self._solid,
             self._thickness,
             self._boxes,
-        )
-        for i in sunk.tolist():
-            self._bodies[i].position = self._place[i].tolist()
+            self._sunk,
+        ):
+            for i in np.flatnonzero(self._sunk).tolist():
+                self._bodies[i].position = self._place[i].tolist()
         self._position = self._place.copy()
         return self._position

@@ -122,9 +122,10 @@ def onward_to(untrodden: Cells, goal: int, start: int) -> Cells:
     away = untrodden.copy().ravel()  # As far as found.
     onward = np.full(away.size, NOWHERE, np.int32)
     # A bucket for each distance that can be waiting, in each a list of entries: a
-    # cell, the next one on its way and the entry that follows in the bucket.
+    # cell, the next one on its way and the entry that follows in the bucket. A cell
+    # comes in twice at most, over a diagonal and then over a shorter, straight step.
     bucket = np.full(BUCKETS, NOWHERE, np.int32)
-    cells, nexts, followers = np.empty((3, 8 * away.size + 1), np.int32)
+    cells, nexts, followers = np.empty((3, 2 * away.size), np.int32)
     cells[0], nexts[0], followers[0] = goal, NOWHERE, NOWHERE
     away[goal], bucket[0], entries, distance = 0, 0, 1, 0
     while away[start] >= distance:

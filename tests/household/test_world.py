@@ -114,7 +114,8 @@ def test_who_is_pushed_out_of_a_wall_is_not_pushed_into_a_cupboard(room, monkeyp
     world = World(plan, np.array([ROBOT]), np.array([2.0]))
     world.place(np.array([[8.2, 1.35]]))
     # As the engine left it once, when a crowd pressed a robot into that corner.
-    monkeypatch.setattr(world, "_read", lambda: world._place.put([0, 1], [8.09, 1.19]))
+    left = [8.09, 1.19]
+    monkeypatch.setattr(world, "_read", lambda: world._place.put([0, 1], left))
     position = world.advance(0.1, 1)
     np.testing.assert_array_equal(position, [[8.2, 1.35]])
 
