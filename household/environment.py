@@ -212,14 +212,17 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
         observations, rewards, infos = self._observations(), {}, {}
-        for agent in self.agents:
-            reward, caresses, touches = 0.0, 0, self.feedback(agent)
+        feedback, situations = self.life.robots.feedback, self._seen()
+        for agent, touches, situation in zip(
+            self.agents, feedback, situations, strict=True
+        ):
+            reward, caresses = 0.0, 0
             for touch in touches:
                 reward += touch.value
                 caresses += touch.kind == "caress"
             rewards[agent] = reward
             infos[agent] = {
-                "situation": self.situation(agent),
+                "situation": situation,
                 "feedback": touches,
                 "caresses": caresses,
                 "taps": len(touches) - caresses,
@@ -254,8 +257,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        activity, attends = self.life.people.activity, self.life.senses.attends
-        return self._situations.seen_by(self._index[agent], activity, attends)
+        return self._seen()[self._index[agent]]
+
+    def _seen(self) -> list[Situation]:
+        """The situation as each robot sees it now."""
+        life = self.life
+        return self._situations.seen(life.people.activity, life.senses.attends)
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""

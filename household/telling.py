@@ -5,7 +5,7 @@ many times as long.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,16 +105,21 @@ def _tell_of_robot(
 
 @compiled
 def tell_features(
-    rows: NDArray[np.float32], places: NDArray[np.void], view: View, n_behaviors: int
+    rows: NDArray[np.float32],
+    places: NDArray[np.void],
+    parts: tuple[Any, ...],
+    n_behaviors: int,
 ) -> None:
     """Writes every robot's observation into its row.
 
     Args:
         rows: Shape (n_robots, length), holding zeros.
         places: Where each field begins, by its name, shape (1,).
-        view: What there is to tell.
+        parts: Those of a `View`, as a plain tuple: Numba takes 2 us to recognize
+            any other.
         n_behaviors: How many behaviors the robots can choose.
     """
+    view = View(*parts)
     for robot in range(len(rows)):
         row, at = rows[robot], places[0]
         _tell_of_itself(row, at, view, robot)

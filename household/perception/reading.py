@@ -1,12 +1,13 @@
 """Reading situations off activities and attention, as each robot sees them."""
 
-from collections.abc import Callable
 from functools import lru_cache
+from itertools import compress, product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES
+from household.perception.canonical import Relation
 from household.perception.situation import Situation
 from household.scenario import Scenario
 
@@ -14,13 +15,6 @@ Mask = NDArray[np.bool_]
 
 KEPT = 4096
 """So many situations are remembered: they recur, and each is put together once."""
-
-LOOKS: dict[str, Callable[[Mask, int, int], Mask]] = {
-    "none": lambda attends, n_people, target: attends[:0],
-    "robot": lambda attends, n_people, target: attends[:n_people, target],
-    "all": lambda attends, n_people, target: attends,
-}
-"""Who attends to whom in situations, by the scenario's name for it."""
 
 
 class SituationReader:
@@ -31,41 +25,51 @@ class SituationReader:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        self._names = (*scenario.person_names, *scenario.robot_names)
-        self._n_people = len(scenario.people)
+        self._people, robots = scenario.person_names, scenario.robot_names
         self._attention = scenario.situation.attention
-        self._looks = LOOKS[self._attention]
+        # The relations that there can be, in the order of the bytes of `_looks`: for
+        # each robot, or once for all of them where they see the same.
+        everybody = (*self._people, *robots)
+        relations: dict[str, list[list[Relation]]] = {
+            "none": [[]],
+            "robot": [list(product(self._people, [robot])) for robot in robots],
+            "all": [list(product(everybody, everybody))],
+        }
+        self._relations = relations[self._attention]
+        self._alike = len(robots) // len(self._relations)
         self._plays = lru_cache(maxsize=KEPT)(self._make_plays)
         self._situation = lru_cache(maxsize=KEPT)(self._make_situation)
 
-    def seen_by(
-        self, robot: int, activity: NDArray[np.int_], attends: Mask
-    ) -> Situation:
-        """The situation as one robot sees it.
+    def seen(self, activity: NDArray[np.int_], attends: Mask) -> list[Situation]:
+        """The situation as each robot sees it.
 
         Args:
-            robot: Index of the robot.
             activity: The role of each person, shape (n_people,).
             attends: Who attends to whom, people first, shape (n, n).
         """
-        target = self._n_people + robot
-        looks = self._looks(attends, self._n_people, target)
-        return self._situation(activity.tobytes(), looks.tobytes(), target)
+        roles = activity.tobytes()
+        seen = [
+            self._situation(roles, looks, view)
+            for view, looks in enumerate(self._looks(attends))
+        ]
+        return seen * self._alike
 
-    def _make_situation(
-        self, activity: bytes, attends: bytes, target: int
-    ) -> Situation:
-        """The situation that these roles and this attention make."""
-        names = self._names
-        relations = np.flatnonzero(np.frombuffer(attends, np.bool_)).tolist()
+    def _looks(self, attends: Mask) -> list[bytes]:
+        """Which relations hold, one byte for each, from each point of view."""
         if self._attention == "all":
-            pairs = [divmod(pair, len(names)) for pair in relations]
-        else:
-            pairs = [(observer, target) for observer in relations]
-        attended = frozenset((names[i], names[j]) for i, j in pairs)
+            return [attends.tobytes()]
+        if self._attention == "none":
+            return [b""]
+        n = len(self._people)
+        looks = attends[:n, n:].T.tobytes()
+        return [looks[i : i + n] for i in range(0, len(looks), n)]
+
+    def _make_situation(self, activity: bytes, attends: bytes, view: int) -> Situation:
+        """The situation that these roles and this attention make."""
+        attended = frozenset(compress(self._relations[view], attends))
         return Situation(self._plays(activity), attended)
 
     def _make_plays(self, activity: bytes) -> tuple[tuple[str, str], ...]:
         """Who plays which role, as situations have it."""
         roles = [ACTIVITY_NAMES[role] for role in np.frombuffer(activity, np.int_)]
-        return Situation.of(dict(zip(self._names, roles, strict=False))).plays
+        return Situation.of(dict(zip(self._people, roles, strict=True))).plays
