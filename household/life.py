@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from household.crowd import Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
+from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import MakeMinds, People
 from household.perception.senses import Senses
@@ -202,9 +203,8 @@ class Life:
             source=self._source,
             now=self.time,
         )
-        misread = self._scenario.perception.mood_noise * self._noise.next()[:, :n]
-        moods = self.people.feelings.mood + misread
-        self.moods = np.minimum(np.maximum(moods, -1.0), 1.0)
+        mood, noise = self.people.feelings.mood, self._noise.next()
+        self.moods = misread(mood, noise, self._scenario.perception.mood_noise)
 
     def view(self) -> View:
         """What robots may know of this moment."""

@@ -106,3 +106,24 @@ def opinion(pleased: float, annoyed: float) -> int:
     """
     share = (pleased + 1.0) / (pleased + annoyed + 2.0)
     return 1 + min(9, int(share * 9 + 0.5))
+
+
+@compiled
+def misread(mood: Floats, noise: Floats, size: float) -> Floats:
+    """Moods as robots read them off faces.
+
+    Args:
+        mood: Shape (n,).
+        noise: Standard normal, for as many people as could be there, shape
+            (n_robots, at least n).
+        size: Standard deviation of the error.
+
+    Returns:
+        Shape (n_robots, n), in [-1, 1].
+    """
+    read = np.empty((len(noise), len(mood)))
+    for robot in range(len(noise)):
+        for i in range(len(mood)):
+            felt = mood[i] + size * noise[robot, i]
+            read[robot, i] = min(max(felt, -1.0), 1.0)
+    return read

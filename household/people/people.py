@@ -82,7 +82,7 @@ class People:
         # The decision at which the bout of each robot began that each last judged.
         self._judged = np.full((n, n_robots), -1, np.intp)
         self._out_to_touch: list[int] = []
-        self._claimed = np.full(n, NOWHERE, np.intp)
+        self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._goals = np.zeros((n, 2))
         self.place = np.full(n, NOWHERE, np.intp)
@@ -102,7 +102,7 @@ class People:
         self.feelings.forget()
         self.touched[:] = False
         self._judged[:] = -1
-        self._claimed[:] = NOWHERE
+        self._claimed = [NOWHERE] * len(self.everyone)
         self._out_to_touch = []
         self.intentions = self._minds.reset(rngs)
         self._claim_places()
@@ -216,10 +216,13 @@ class People:
 
     def _claim_places(self) -> None:
         """Who intends to be elsewhere gets a spot there."""
-        place = self.intentions.place
-        for i in np.flatnonzero(place != self._claimed).tolist():
-            self._spots[i] = self.places.claim(i, int(place[i]))
-        self._claimed[:] = place
+        intended = self.intentions.place.tolist()
+        if intended == self._claimed:
+            return
+        for i, (place, before) in enumerate(zip(intended, self._claimed, strict=True)):
+            if place != before:
+                self._spots[i] = self.places.claim(i, place)
+        self._claimed = intended
 
     def wishes(self) -> list[tuple[int, Wish]]:
         """The touches that people are out to give, with the index of the person."""

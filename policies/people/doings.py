@@ -5,8 +5,9 @@ from typing import Protocol
 
 import numpy as np
 
-from household.arrays import Floats, Mask
+from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
+from household.people.mind import NOBODY
 
 
 class Doing(Protocol):
@@ -56,16 +57,18 @@ class Doings:
         self._until = np.array([doing.until for doing in doings])
         self._look_left = np.array([doing.look_lasts for doing in doings])
 
-    def play(self, now: float, period: float, there: Mask) -> None:
-        """Lets time pass.
+    def play(self, now: float, period: float, arrived: Mask, wanted: Indices) -> None:
+        """Lets time pass; what is not spent in the own place counts by the clock only.
 
         Args:
             now: Time since the episode began [s].
             period: Time since the last call [s].
-            there: Who spent it in its place, shape (n,); other time counts only
-                against the clock.
+            arrived: Who was in its place, shape (n,).
+            wanted: The robot that each is out to touch instead, or `NOBODY`, (n,).
         """
-        over = _pass_time(self._left, self._until, self._look_left, now, period, there)
+        over = _pass_time(
+            self._left, self._until, self._look_left, now, period, arrived, wanted
+        )
         if over:
             for i in range(len(self._doings)):
                 self._go_on(i, now)
@@ -90,12 +93,13 @@ def _pass_time(
     look_left: Floats,
     now: float,
     period: float,
-    there: Mask,
+    arrived: Mask,
+    wanted: Indices,
 ) -> bool:
     """Takes time from what is ``left``; returns whether anybody's is over."""
     over = False
     for i in range(len(left)):
-        if there[i]:
+        if arrived[i] and wanted[i] == NOBODY:
             left[i] -= period
             look_left[i] -= period
         over |= left[i] <= 0.0 or look_left[i] <= 0.0 or now >= until[i]

@@ -8,16 +8,13 @@ from numpy.typing import NDArray
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.mind import Percepts, Wish
+from household.people.mind import NOBODY, Percepts, Wish
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
 from household.streams import Draws
 
 DRAWS = 2
 """For each robot in each moment: whether to react, and whether it goes wrong."""
-
-NOBODY = -1
-"""In place of a robot."""
 
 STATE = [
     ("robot", np.intp),
@@ -43,6 +40,7 @@ class FeedbackGiving:
 
     Attributes:
         wishes: The touch that each person is out to give, if any.
+        wanted: Index of the robot that each is out to touch, or `NOBODY`, shape (n,).
     """
 
     def __init__(
@@ -58,12 +56,7 @@ class FeedbackGiving:
         self._state = np.zeros(n, STATE)
         self._state["robot"] = NOBODY
         self.wishes: list[Wish | None] = [None] * n
-
-    @property
-    def wanted(self) -> Indices:
-        """Index of the robot that each is out to touch, or `NOBODY`, shape (n,)."""
-        wanted: Indices = self._state["robot"]
-        return wanted
+        self.wanted: Indices = self._state["robot"]
 
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfils or drops wishes."""

@@ -7,14 +7,20 @@ import numpy as np
 from household.activity import Activity
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.mind import OWN_ACTIVITY, Intentions, Minds, Percepts
+from household.people.mind import (
+    NOBODY,
+    OWN_ACTIVITY,
+    Intentions,
+    Minds,
+    Percepts,
+)
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
 from household.scenario import Scenario
 from policies.people.doings import Doing, Doings
 from policies.people.from_scenario import doing_of
 from policies.people.gaze import GazeHabits
-from policies.people.giving import NOBODY, FeedbackGiving
+from policies.people.giving import FeedbackGiving
 
 SLEEPING = int(Activity.SLEEPING)
 
@@ -49,7 +55,6 @@ class EverydayMinds(Minds):
         self._giving = FeedbackGiving(self._personas, self._n_robots, giving)
         n = len(self._personas)
         self._awake = np.zeros(n)
-        self._there = np.zeros(n, np.bool_)
         self._look = self._doings.look.copy()
         self._eyes_open = np.ones(n, np.bool_)
         return self._intentions()
@@ -58,16 +63,16 @@ class EverydayMinds(Minds):
         """Goes on with what they do, unless there is a robot to caress or to tap."""
         habit = self._gaze.look(percepts)
         self._giving.consider(percepts)
-        _keep_to_place(self._there, percepts.arrived, self._giving.wanted)
-        self._doings.play(percepts.time, percepts.period, self._there)
+        wanted = self._giving.wanted
+        self._doings.play(percepts.time, percepts.period, percepts.arrived, wanted)
         _look_and_sleep(
             self._look,
             self._eyes_open,
             self._awake,
             habit,
             self._doings.look,
-            self._giving.wanted,
-            self._there,
+            wanted,
+            percepts.arrived,
             percepts.activity,
             percepts.level,
             percepts.period,
@@ -82,13 +87,6 @@ class EverydayMinds(Minds):
 
 
 @compiled
-def _keep_to_place(there: Mask, arrived: Mask, wanted: Indices) -> None:
-    """Who is ``there`` to do what it does: arrived, and not out to touch a robot."""
-    for i in range(len(there)):
-        there[i] = arrived[i] and wanted[i] == NOBODY
-
-
-@compiled
 def _look_and_sleep(
     look: Indices,
     eyes_open: Mask,
@@ -96,7 +94,7 @@ def _look_and_sleep(
     habit: Indices,
     told: Indices,
     wanted: Indices,
-    there: Mask,
+    arrived: Mask,
     activity: Indices,
     level: Floats,
     period: float,
@@ -114,7 +112,7 @@ def _look_and_sleep(
         habit: Where each would look by habit, shape (n,).
         told: Where what it does has it look, or `OWN_ACTIVITY`, shape (n,).
         wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
-        there: Who is in its place, shape (n,).
+        arrived: Who is in its place, shape (n,).
         activity: The role of each, shape (n,).
         level: How loud everybody hears each, people first, (n, n + n_robots) [dB].
         period: [s].
@@ -129,7 +127,7 @@ def _look_and_sleep(
         awake[i] -= period
         if level[i, n:].max() >= traits[i].wakes_at:
             awake[i] = traits[i].awake_for
-        in_bed = there[i] and activity[i] == SLEEPING
+        in_bed = arrived[i] and activity[i] == SLEEPING
         eyes_open[i] = not (in_bed and awake[i] <= 0.0)
 
 

@@ -10,13 +10,15 @@ import pytest
 from household import household_v0
 from household.activity import Activity
 from household.people.individuals import Intention
-from household.people.mind import OWN_ACTIVITY
+from household.people.mind import NOBODY, OWN_ACTIVITY
 from household.people.persona import Persona
 from household.scenario import PersonSpec, ScriptStep, Stay
 from policies.people.doings import Doings
 from policies.people.minds import EverydayMinds
 from policies.people.schedule import Schedule, Stop
 from policies.people.script import Line, Script
+
+NO_WISH = np.array([NOBODY])
 
 ROBOT = 2
 """Index of the first robot where there are two people."""
@@ -31,7 +33,7 @@ def played(lines, there, period=60.0):
     doings = Doings([Script(lines, np.random.default_rng(0))])
     places = [int(doings.place[0])]
     for n, present in enumerate(there, start=1):
-        doings.play(n * period, period, np.array([present]))
+        doings.play(n * period, period, np.array([present]), NO_WISH)
         places.append(int(doings.place[0]))
     return places
 
@@ -86,7 +88,7 @@ def test_a_line_looks_for_a_while_and_looks_away_for_a_while():
     doings = Doings([Script([line], np.random.default_rng(0))])
     looks = [int(doings.look[0])]
     for second in range(1, 11):
-        doings.play(float(second), 1.0, np.array([True]))
+        doings.play(float(second), 1.0, np.array([True]), NO_WISH)
         looks.append(int(doings.look[0]))
     at, away = ROBOT, OWN_ACTIVITY
     assert looks == [at, at, away, away, away, at, at, away, away, away, at]
@@ -98,7 +100,7 @@ def test_lengths_are_drawn_anew_between_the_shortest_and_the_longest():
     lengths, began, there = {0: [], 1: []}, 0.0, np.array([True])
     for tick in range(1, 200_000):
         here = int(doings.place[0])
-        doings.play(tick * 0.01, 0.01, there)
+        doings.play(tick * 0.01, 0.01, there, NO_WISH)
         if doings.place[0] != here:
             lengths[here].append(tick * 0.01 - began)
             began = tick * 0.01
@@ -120,7 +122,7 @@ def test_a_schedule_stays_and_goes_on_by_its_weights():
     doings = Doings([Schedule(stops, np.random.default_rng(0))])
     visited, there = [int(doings.place[0])], np.array([True])
     for second in range(12_000):
-        doings.play(float(second), 1.0, there)
+        doings.play(float(second), 1.0, there, NO_WISH)
         visited.append(int(doings.place[0]))
     assert visited[:2] == [5, 5]
     # Three seconds a round: two at the first place, one at another.
@@ -139,7 +141,7 @@ def test_a_schedule_waits_for_who_is_away():
     )
     doings = Doings([schedule])
     for second in range(50):
-        doings.play(float(second), 1.0, np.array([False]))
+        doings.play(float(second), 1.0, np.array([False]), NO_WISH)
         assert doings.place.tolist() == [0]
 
 
@@ -153,7 +155,8 @@ def test_everybody_has_a_time_of_its_own():
     doings = Doings([Script(*each) for each in zip(lines, rngs, strict=True)])
     places = []
     for n in range(1, 5):
-        doings.play(60.0 * n, 60.0, np.array([True, True, n > 1]))
+        arrived = np.array([True, True, n > 1])
+        doings.play(60.0 * n, 60.0, arrived, np.repeat(NO_WISH, 3))
         places.append(doings.place.tolist())
     assert places == [[0, 1, 0], [9, 1, 0], [9, 9, 9], [0, 9, 9]]
 
