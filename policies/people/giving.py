@@ -16,12 +16,14 @@ from household.streams import Draws
 DRAWS = 2
 """For each robot in each moment: whether to react, and whether it goes wrong."""
 
-STATE = [
-    ("robot", np.intp),
-    ("about", np.intp),
-    ("praise", np.bool_),
-    ("waited", np.float64),
-]
+STATE = np.dtype(
+    [
+        ("robot", np.intp),
+        ("about", np.intp),
+        ("praise", np.bool_),
+        ("waited", np.float64),
+    ]
+)
 """What a person is out to do: which robot to touch, or `NOBODY`; whose bout that is
 about, if the wish is new; whether it is to be a caress; for how long already [s]."""
 
