@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from household.crowd import Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
-from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import MakeMinds, People
 from household.perception.senses import Senses
@@ -137,9 +136,9 @@ class Life:
 
     def _move_robots(self) -> None:
         """Robots move as their behaviors have it; who is done stands still."""
-        n_people = self._n_people
+        n_people, now = self._n_people, self.time
         for robot, bout in enumerate(self.robots.bouts):
-            if self.robots.is_over(robot, self.time):
+            if self.robots.is_over(robot, now):
                 self.crowd.halt(n_people + robot)
                 continue
             mover = Mover(
@@ -148,7 +147,7 @@ class Life:
                 begins=bout.decision == self.decision,
                 spots=self.people.places.centers,
                 rng=self._streams.robots[robot],
-                now=self.time,
+                now=now,
                 period=self._scenario.decision_period,
             )
             self._motions[bout.behavior](mover, self.crowd)
@@ -203,8 +202,9 @@ class Life:
             source=self._source,
             now=self.time,
         )
-        mood, noise = self.people.feelings.mood, self._noise.next()
-        self.moods = misread(mood, noise, self._scenario.perception.mood_noise)
+        misread = self._scenario.perception.mood_noise * self._noise.next()[:, :n]
+        moods = self.people.feelings.mood + misread
+        self.moods = np.minimum(np.maximum(moods, -1.0), 1.0)
 
     def view(self) -> View:
         """What robots may know of this moment."""

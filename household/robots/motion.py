@@ -6,7 +6,7 @@ somewhere or turn it. It is called once in each decision period.
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,9 +23,8 @@ STROLL = 2.0
 """How far a wandering robot goes at a stretch, at most [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mover:
-    """A robot about to move.
+class Mover(NamedTuple):
+    """A robot about to move; a tuple, for it is made anew in each step.
 
     Attributes:
         body: Index of its body in the crowd; people come before robots.
@@ -84,23 +83,25 @@ def retreat(mover: Mover, crowd: Crowd) -> None:
     """Goes to the activity region that is farthest from everybody."""
     if mover.begins:
         people = crowd.position[: mover.n_people]
-        gaps = np.linalg.norm(mover.spots[:, None] - people, axis=2).min(axis=1)
-        x, y = mover.spots[int(gaps.argmax())]
-        crowd.send(mover.body, (float(x), float(y)), mover.now)
+        offset = mover.spots[:, None] - people
+        away2 = np.einsum("ijk,ijk->ij", offset, offset).min(axis=1)
+        x, y = mover.spots[away2.argmax()].tolist()
+        crowd.send(mover.body, (x, y), mover.now)
 
 
 def fetch(mover: Mover, crowd: Crowd) -> None:
     """Goes to some activity region, then to the nearest person."""
     if mover.begins:
-        x, y = mover.spots[int(mover.rng.integers(len(mover.spots)))]
-        crowd.send(mover.body, (float(x), float(y)), mover.now)
+        x, y = mover.spots[mover.rng.integers(len(mover.spots))].tolist()
+        crowd.send(mover.body, (x, y), mover.now)
     elif not crowd.walks(mover.body):
         follow(mover, crowd)
 
 
 def _nearest_person(mover: Mover, crowd: Crowd) -> int:
-    offset = crowd.position[: mover.n_people] - crowd.position[mover.body]
-    return int(np.einsum("ij,ij->i", offset, offset).argmin())
+    here = crowd.where[mover.body]
+    away = [math.dist(person, here) for person in crowd.where[: mover.n_people]]
+    return away.index(min(away))
 
 
 MOTIONS: dict[Motion, Callable[[Mover, Crowd], None]] = {
