@@ -59,6 +59,11 @@ def fields(n_behaviors: int) -> tuple[Field, ...]:
     )
 
 
+PLACES = np.dtype([(field.name, np.int64) for field in fields(1)])
+"""Where each field begins. One object for all: compiled functions take a microsecond
+longer to recognize an equal one."""
+
+
 class Features:
     """The feature encoding of a scenario.
 
@@ -85,10 +90,8 @@ class Features:
         high = np.repeat([f.high for f in table], lengths)
         self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
         self._shape = (len(scenario.robots), ends[-1])
-        self._places = np.array(
-            [tuple(place.start for place in self.layout.values())],
-            dtype=[(name, np.int64) for name in self.layout],
-        )
+        places = tuple(place.start for place in self.layout.values())
+        self._places = np.array([places], dtype=PLACES)
 
     def encode(self, view: View) -> NDArray[np.float32]:
         """Every robot's observation, a new array of shape (n_robots, length)."""
