@@ -211,10 +211,10 @@ class Crowd:
 
     def _decide(self) -> None:
         """Who is at its waypoint heads for the next, who is stuck tries another way."""
-        for i in np.flatnonzero(self._due).tolist():
-            if self._stalled[i] >= STUCK:
+        for i, due in enumerate(self._due.tolist()):
+            if due and self._stalled[i] >= STUCK:
                 self._try_another_way(i)
-            else:
+            elif due:
                 self._pass_waypoint(i)
 
     def _stand(self, position: Array) -> None:
@@ -223,15 +223,22 @@ class Crowd:
         self._where = None
 
     def _pass_waypoint(self, i: int) -> None:
-        if len(self._ways[i]) > 1:
-            self._take(i, self._ways[i][1:])
+        self._ways[i] = self._ways[i][1:]
+        if self._ways[i]:
+            self._head_on(i)
         else:
             self.halt(i)
 
     def _take(self, i: int, way: Waypoints) -> None:
-        """Heads for the first waypoint of a way."""
-        self._ways[i], self._end[i] = way, way[-1]
-        self._waypoint[i] = way[0]
+        """Sets out on a way."""
+        self._ways[i] = way
+        self._end[i, 0], self._end[i, 1] = way[-1]
+        self._head_on(i)
+
+    def _head_on(self, i: int) -> None:
+        """Heads for the first waypoint of what is left of the way."""
+        way = self._ways[i]
+        self._waypoint[i, 0], self._waypoint[i, 1] = way[0]
         self._near[i] = PASSED if len(way) > 1 else ARRIVED
         self._nearest[i] = math.inf
         self._stalled[i] = 0.0
