@@ -16,7 +16,8 @@ from household.locomotion import (
     CROWDED,
     DRIFT,
     STUCK,
-    bound_for,
+    arrived,
+    astray,
     follow_up,
     steer,
     turn_heads,
@@ -58,7 +59,8 @@ class Crowd:
         position: Where every body is, shape (n, 2) [m].
         heading: Where every body faces, shape (n,) [rad].
         gaze: Where every head points, shape (n,) [rad].
-        walk_began: Since when each body has been walking, NaN if it stands [s].
+        walking: Who is on its way somewhere, shape (n,).
+        walk_began: Since when each has been walking, shape (n,), NaN if it stands [s].
     """
 
     def __init__(
@@ -80,6 +82,7 @@ class Crowd:
         self._waypoint = np.zeros((n, 2))
         self._near = np.zeros(n)
         self._pace = np.zeros(n)
+        self.walking = np.zeros(n, np.bool_)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._due = np.zeros(n, np.bool_)
@@ -100,6 +103,7 @@ class Crowd:
         self.heading = heading.copy()
         self.gaze = heading.copy()
         self._pace[:] = 0.0
+        self.walking[:] = False
         self._sidesteps = 0
         self._ways = [[] for _ in self._ways]
         self._settled[:] = np.nan
@@ -122,11 +126,6 @@ class Crowd:
         """Whether a body is on its way somewhere."""
         return bool(self._ways[i])
 
-    @property
-    def walking(self) -> NDArray[np.bool_]:
-        """Who is on its way somewhere, shape (n,)."""
-        return self._pace > 0.0
-
     def is_bound_for(self, i: int, goal: Point) -> bool:
         """Whether a body is at a point, on its way there, or as near as others let it.
 
@@ -140,16 +139,27 @@ class Crowd:
         away = math.dist(self.where[i], goal)
         return away <= (CROWDED if crowded else DRIFT)
 
-    def bound_for(self, goals: Array) -> NDArray[np.bool_]:
-        """For each of the first bodies the same as `is_bound_for`.
+    def arrived(self, goals: Array) -> NDArray[np.bool_]:
+        """Who stands at its goal, or as near to it as others let it.
 
         Args:
-            goals: One for each of these bodies, NaN for none, shape (m, 2) [m].
+            goals: One for each of the first bodies, shape (m, 2) [m].
 
         Returns:
             Shape (m,).
         """
-        return bound_for(goals, self.position, self._pace, self._end, self._settled)
+        return arrived(goals, self.position, self.walking, self._settled)
+
+    def astray(self, goals: Array) -> list[int]:
+        """Who is neither at its goal nor on its way there; see `is_bound_for`.
+
+        Args:
+            goals: One for each of the first bodies, shape (m, 2) [m].
+        """
+        found: list[int] = astray(
+            goals, self.position, self.walking, self._end, self._settled
+        ).tolist()
+        return found
 
     def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
@@ -170,6 +180,7 @@ class Crowd:
             self.walk_began[i] = now
         self._take(i, way)
         self._pace[i] = self._speed[i]
+        self.walking[i] = True
         self._settled[i] = math.nan
         return True
 
@@ -177,11 +188,12 @@ class Crowd:
         """Ends a body's walk where it is."""
         self._ways[i] = []
         self._pace[i] = 0.0
+        self.walking[i] = False
         self.walk_began[i] = np.nan
 
     def advance(self) -> None:
         """Lets one steering period pass."""
-        if not (self._moving or self._pace.any()):
+        if not (self._moving or any(self._ways)):
             return
         before = self.position
         steer(

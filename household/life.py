@@ -181,9 +181,7 @@ class Life:
 
     def _look_around(self, most: Array) -> None:
         """Everybody turns its head towards what it wants to look at."""
-        n = self._n_people
-        self._target[:n] = self.people.gaze_targets(self.crowd)
-        self._target[n:] = self.crowd.heading[n:]
+        self.people.aim_gazes(self._target, self.crowd)
         self.crowd.turn_heads(self._target, most)
 
     def _perceive(self) -> None:

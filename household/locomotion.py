@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from household.compiled import compiled
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 COMFORT = 0.5
 """Gap between bodies below which a walker gives way [m] (our choice)."""
@@ -138,31 +139,56 @@ def follow_up(
 
 
 @compiled
-def bound_for(
-    goals: Array, position: Array, pace: Array, end: Array, settled: Array
+def arrived(
+    goals: Array, position: Array, walking: Mask, settled: Array
 ) -> NDArray[np.bool_]:
-    """Who is at a point, on its way there, or as near as others let it.
+    """Who stands at its goal, or as near to it as others let it.
 
     Args:
-        goals: The points, one for each of the first m bodies, shape (m, 2) [m]; NaN:
-            none, for which nobody is bound.
+        goals: One for each of the first m bodies, shape (m, 2) [m].
         position: Shape (n, 2) [m].
-        pace: Shape (n,) [m/s]; 0: stands.
-        end: Where the walk of each that walks ends, shape (n, 2) [m].
+        walking: Shape (n,).
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
 
     Returns:
         Shape (m,).
     """
-    bound = np.empty(len(goals), np.bool_)
+    there = np.zeros(len(goals), np.bool_)
     for i in range(len(goals)):
-        if pace[i] > 0.0:
-            bound[i] = _apart(end[i], goals[i]) <= DRIFT
+        there[i] = not walking[i] and _is_at(position[i], goals[i], settled[i])
+    return there
+
+
+@compiled
+def astray(
+    goals: Array, position: Array, walking: Mask, end: Array, settled: Array
+) -> NDArray[np.intp]:
+    """Who is neither at its goal, or as near as others let it, nor on its way there.
+
+    Args:
+        goals: One for each of the first m bodies, shape (m, 2) [m].
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        end: Where the walk of each that walks ends, shape (n, 2) [m].
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+
+    Returns:
+        Indices.
+    """
+    lost = np.zeros(len(goals), np.bool_)
+    for i in range(len(goals)):
+        if walking[i]:
+            lost[i] = not _apart(end[i], goals[i]) <= DRIFT
         else:
-            crowded = _apart(settled[i], goals[i]) <= DRIFT
-            most = CROWDED if crowded else DRIFT
-            bound[i] = _apart(position[i], goals[i]) <= most
-    return bound
+            lost[i] = not _is_at(position[i], goals[i], settled[i])
+    return np.flatnonzero(lost)
+
+
+@compiled
+def _is_at(position: Array, goal: Array, settled: Array) -> bool:
+    """Whether a body that stands is at a point, or as near as others let it."""
+    crowded = _apart(settled, goal) <= DRIFT
+    return _apart(position, goal) <= (CROWDED if crowded else DRIFT)
 
 
 @compiled

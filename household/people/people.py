@@ -198,17 +198,16 @@ class People:
     def _percepts(
         self, crowd: Crowd, senses: Senses, robots: Robots, now: float
     ) -> Percepts:
-        n, walking = len(self.everyone), crowd.walking
         return Percepts(
             time=now,
             period=self._period,
             activity=self.activity,
-            arrived=crowd.bound_for(self._spots) & ~walking[:n],
+            arrived=crowd.arrived(self._spots),
             touched=self.touched,
             mood=self.feelings.mood,
             judgements=self._judgements,
             pleasing=self._pleasing,
-            moving=walking[n:],
+            moving=crowd.walking[len(self.everyone) :],
             sees=senses.sees,
             level=senses.level,
             cause=robots.cause,
@@ -252,14 +251,20 @@ class People:
         goals[:] = self._spots
         for i, wish in self.wishes():
             goals[i] = crowd.where[n + wish.robot]
-        for i in np.flatnonzero(~crowd.bound_for(goals)).tolist():
+        for i in crowd.astray(goals):
             if i not in at_hand:
                 x, y = goals[i].tolist()
                 crowd.send(i, (x, y), now)
 
-    def gaze_targets(self, crowd: Crowd) -> Floats:
-        """The direction in which everybody wants to look, shape (n,) [rad]."""
-        return _gaze_targets(
+    def aim_gazes(self, target: Floats, crowd: Crowd) -> None:
+        """Fills in in which direction everybody wants to look, robots ahead.
+
+        Args:
+            target: For people and robots, shape (n + n_robots,) [rad].
+            crowd: The bodies.
+        """
+        _aim_gazes(
+            target,
             self.intentions.look,
             self.place,
             self.places.facing,
@@ -270,22 +275,21 @@ class People:
 
 
 @compiled
-def _gaze_targets(
+def _aim_gazes(
+    target: Floats,
     look: Indices,
     place: Indices,
     facing: Floats,
     walking: Mask,
     position: Floats,
     heading: Floats,
-) -> Floats:
-    target = np.empty(len(look))
+) -> None:
+    target[:] = heading
     for i in range(len(look)):
         if look[i] != OWN_ACTIVITY:
             there = position[look[i]]
-        elif walking[i] or place[i] < 0:
-            target[i] = heading[i]
+        elif walking[i] or place[i] == NOWHERE:
             continue
         else:
             there = facing[place[i]]
         target[i] = math.atan2(there[1] - position[i, 1], there[0] - position[i, 0])
-    return target

@@ -288,11 +288,12 @@ def test_all_are_asked_at_once_for_where_they_are_bound(room, crowd_in):
     assert crowd.send(1, (4.0, 4.0), 0.0)
     standing, walking = (1.05, 2.5), (4.0, 4.0)
     goals = np.array([standing, walking, (6.15, 1.0)])
-    np.testing.assert_array_equal(crowd.bound_for(goals), [True, True, False])
-    np.testing.assert_array_equal(
-        crowd.bound_for(np.array([walking, (4.0, 2.5), (np.nan, np.nan)])),
-        [False, False, False],
-    )
+    assert crowd.astray(goals) == [2]
+    assert crowd.arrived(goals).tolist() == [True, False, False]
+    elsewhere = np.array([walking, (4.0, 2.5)])
+    assert crowd.astray(elsewhere) == [0, 1]
+    # It is still where it set out from, but no longer there to stay.
+    assert crowd.arrived(elsewhere).tolist() == [False, False]
 
 
 def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
@@ -306,7 +307,8 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     assert 0.1 < math.dist(crowd.where[0], (4.0, 2.5)) <= 1.0
     for goal, bound in (((4.0, 2.5), True), ((3.2, 2.5), False)):
         assert crowd.is_bound_for(0, goal) == bound
-        assert crowd.bound_for(np.array([goal]))[0] == bound
+        assert crowd.arrived(np.array([goal])).tolist() == [bound]
+        assert crowd.astray(np.array([goal])) == ([] if bound else [0])
 
 
 def test_heads_turn_no_faster_than_they_can_and_the_shorter_way(room, crowd_in):
