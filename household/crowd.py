@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import Indices
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
@@ -23,6 +24,7 @@ from household.locomotion import (
     turn_heads,
 )
 from household.records import Point
+from household.walking import NOBODY, walk_freely
 from household.world import World
 
 if TYPE_CHECKING:
@@ -42,6 +44,10 @@ SIDESTEP = 0.7
 
 GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
 """Between the directions of sidesteps, so that repeated ones try all sides [rad]."""
+
+
+NO_QUARRY: Indices = np.zeros(0, np.intp)
+"""Nobody is after anybody."""
 
 
 class Crowd:
@@ -89,7 +95,7 @@ class Crowd:
         self._sidesteps = 0
         self._end = np.zeros((n, 2))
         self._settled = np.full((n, 2), np.nan)
-        self._moving = False
+        self._pushed = False
         self._where: list[Point] | None = None
         self._stand(np.zeros((n, 2)))
         self.heading = np.zeros(n)
@@ -108,7 +114,7 @@ class Crowd:
         self._ways = [[] for _ in self._ways]
         self._settled[:] = np.nan
         self.walk_began[:] = np.nan
-        self._moving = False
+        self._pushed = False
 
     @property
     def where(self) -> list[Point]:
@@ -191,11 +197,60 @@ class Crowd:
         self.walking[i] = False
         self.walk_began[i] = np.nan
 
-    def advance(self) -> None:
-        """Lets one steering period pass."""
-        if not (self._moving or any(self._ways)):
-            return
-        before = self.position
+    def advance(
+        self, periods: int = 1, quarry: Indices = NO_QUARRY, reach: float = 0.0
+    ) -> int:
+        """Lets some steering periods pass.
+
+        Args:
+            periods: How many at most.
+            quarry: Whom each of the first bodies is after, `NOBODY` for none, (m,).
+            reach: How near to its quarry it wants to get [m].
+
+        Returns:
+            How many have passed: fewer, if somebody has something to decide, such as
+            who may be within reach of its quarry.
+        """
+        if not (self._pushed or any(self._ways)):
+            return 1 if (quarry != NOBODY).any() else periods
+        passed = 0 if self._pushed else self._walk_freely(periods, quarry, reach)
+        if passed == 0:
+            self._push_on()
+            passed = 1
+        if self._due.any():
+            self._decide()
+        return passed
+
+    def _walk_freely(self, periods: int, quarry: Indices, reach: float) -> int:
+        """Walks for some periods, as long as nobody may touch anything."""
+        position = self.position.copy()
+        passed: int = walk_freely(
+            position,
+            self._world.velocity,
+            self.heading,
+            self._waypoint,
+            self._near,
+            self._pace,
+            self._nearest,
+            self._stalled,
+            self._due,
+            self._radius,
+            self._world.solid,
+            self._world.thickness,
+            self._world.boxes,
+            quarry,
+            reach,
+            periods,
+            self._ticks,
+            self._tick,
+        )
+        if passed:
+            self._stand(position)
+        return passed
+
+    def _push_on(self) -> None:
+        """Walks for a period with the engine's help: bodies push each other."""
+        before, world = self.position, self._world
         steer(
             before,
             self._waypoint,
@@ -203,11 +258,11 @@ class Crowd:
             self._radius,
             self._period,
             self.heading,
-            self._world.velocity,
+            world.velocity,
         )
-        self._stand(self._world.advance(self._tick, self._ticks))
+        self._stand(world.advance(before, self._tick, self._ticks))
         # Bodies that were pushed come to rest in the period after.
-        anybody, self._moving = follow_up(
+        _, self._pushed = follow_up(
             before,
             self.position,
             self._waypoint,
@@ -218,8 +273,6 @@ class Crowd:
             self._due,
             self._period,
         )
-        if anybody:
-            self._decide()
 
     def _decide(self) -> None:
         """Who is at its waypoint heads for the next, who is stuck tries another way."""

@@ -14,7 +14,7 @@ from household.crowd import Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
 from household.people.mind import Wish
-from household.people.people import MakeMinds, People
+from household.people.people import REACH, MakeMinds, People
 from household.perception.senses import Senses
 from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
@@ -155,8 +155,10 @@ class Life:
     def _walk_and_touch(self) -> None:
         """People walk where they intended to and touch robots that they reach."""
         self.robots.forget_touches()
-        for moment in range(1, self._moments + 1):
-            self.crowd.advance()
+        moment = 0
+        while moment < self._moments:
+            left = self._moments - moment
+            moment += self.crowd.advance(left, self.people.quarry, REACH)
             now = self.time + moment * self._scenario.steering_period
             for i, wish in self.people.wishes():
                 if self.people.reaches(i, wish, self.crowd, self.senses):
@@ -176,7 +178,7 @@ class Life:
             attention_began=_known(self.senses.attention_began[i, j]),
         )
         self.robots.feel(wish.robot, feedback, wish.cause)
-        self.people.touched[i] = True
+        self.people.has_touched(i)
         self.crowd.halt(i)
 
     def _look_around(self, most: Array) -> None:

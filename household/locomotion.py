@@ -30,8 +30,9 @@ CROWDED = 1.0
 NECK = np.pi / 2
 """How far a head turns from the body [rad]."""
 
-STILL = 1e-6
-"""How far a body moves at most that is at rest [m]."""
+STILL = 1e-4
+"""How far a body moves at most that is at rest, between two looks [m]; the engine parts
+bodies ever more slowly."""
 
 
 @compiled
@@ -116,15 +117,15 @@ def follow_up(
         period: Time since ``before`` [s].
 
     Returns:
-        Whether anybody has something to decide, and whether anybody moved at all.
+        Whether anybody has something to decide, and whether anybody was pushed.
     """
     n = position.shape[0]
     due[:] = False
-    moved = False
+    pushed = False
     for i in range(n):
         dx, dy = position[i, 0] - before[i, 0], position[i, 1] - before[i, 1]
-        moved |= max(abs(dx), abs(dy)) > STILL
         if pace[i] <= 0.0:
+            pushed |= max(abs(dx), abs(dy)) > STILL
             continue
         wx, wy = waypoint[i, 0] - position[i, 0], waypoint[i, 1] - position[i, 1]
         left = np.sqrt(wx * wx + wy * wy)
@@ -135,7 +136,7 @@ def follow_up(
         else:
             stalled[i] += period
             due[i] = stalled[i] >= STUCK
-    return bool(due.any()), moved
+    return bool(due.any()), pushed
 
 
 @compiled

@@ -94,6 +94,55 @@ def _is_clear(
 
 
 @compiled
+def touches(
+    a: Point,
+    b: Point,
+    radius: float,
+    segments: Array,
+    thickness: Array,
+    boxes: Array,
+) -> bool:
+    """Whether a body that goes straight from a to b touches a segment.
+
+    Args:
+        a: [m].
+        b: [m].
+        radius: Of the body [m].
+        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
+        thickness: Half thickness of each segment, shape (m,) [m].
+        boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
+    """
+    if _is_clear(a, b, radius, thickness, boxes):
+        return False
+    box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
+    for k in range(len(segments)):
+        least = radius + thickness[k]
+        if _near(box, least, boxes, k) and (
+            crosses(*a, *b, segments[k]) or _gap(a, b, segments[k]) < least
+        ):
+            return True
+    return False
+
+
+@compiled
+def _gap(a: Point, b: Point, segment: Array) -> float:
+    """Distance between the line from a to b and a segment that it does not cross."""
+    one, other = (segment[0], segment[1]), (segment[2], segment[3])
+    least = min(_away(a, one, other), _away(b, one, other))
+    return min(least, min(_away(one, a, b), _away(other, a, b)))
+
+
+@compiled
+def _away(point: Point, one: Point, other: Point) -> float:
+    """Distance of a point from the line between two others."""
+    dx, dy = other[0] - one[0], other[1] - one[1]
+    ox, oy = point[0] - one[0], point[1] - one[1]
+    along = (ox * dx + oy * dy) / max(dx * dx + dy * dy, 1e-12)
+    along = min(max(along, 0.0), 1.0)
+    return np.hypot(ox - along * dx, oy - along * dy)
+
+
+@compiled
 def _goes_through(a: Point, b: Point, segments: Array, boxes: Array) -> bool:
     """Whether the way from a to b crosses a segment."""
     box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))

@@ -31,6 +31,9 @@ class World:
     Attributes:
         velocity: What each body sets out with when it next moves, for the owner to
             fill in, shape (n, 2) [m/s].
+        solid: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
+        thickness: Its half thickness, shape (m,) [m].
+        boxes: Round it, from `boxes_round`, shape (4, m) [m].
     """
 
     def __init__(self, plan: FloorPlan, radius: Array, mass: Array) -> None:
@@ -38,11 +41,11 @@ class World:
         self.space.collision_slop = SLOP
         self._add_home(plan)
         self._radius = np.asarray(radius, dtype=np.float64)
-        self._solid = plan.solid_segments
-        self._boxes = boxes_round(self._solid)
+        self.solid = plan.solid_segments
+        self.boxes = boxes_round(self.solid)
         walls = len(plan.wall_segments)
-        self._thickness = np.zeros(len(self._solid))
-        self._thickness[:walls] = plan.wall_thickness / 2
+        self.thickness = np.zeros(len(self.solid))
+        self.thickness[:walls] = plan.wall_thickness / 2
         self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
         rows = self._batch_rows()
         places, self._place_buffer = self._batch()
@@ -103,16 +106,23 @@ class World:
             self.space, BodyFields.POSITION, self._place_buffer
         )
 
-    def advance(self, tick: float, ticks: int) -> Array:
+    def advance(self, position: Array, tick: float, ticks: int) -> Array:
         """Moves every body for some ticks.
 
         Args:
+            position: Where each sets out from, out of everything solid, (n, 2) [m].
             tick: Length of a tick [s].
             ticks: How many.
 
         Returns:
             Where every body is then, a new array of shape (n, 2) [m].
         """
+        if position is not self._position:
+            # Bodies have moved without the engine since it was last asked.
+            self._place[:] = position
+            pymunk.batch.set_space_bodies(
+                self.space, BodyFields.POSITION, self._place_buffer
+            )
         pymunk.batch.set_space_bodies(
             self.space, BodyFields.VELOCITY, self._velocity_buffer
         )
@@ -120,12 +130,12 @@ class World:
             self.space.step(tick)
         self._read()
         if keep_out(
-            self._position,
+            position,
             self._place,
             self._radius,
-            self._solid,
-            self._thickness,
-            self._boxes,
+            self.solid,
+            self.thickness,
+            self.boxes,
             self._sunk,
         ):
             for i in np.flatnonzero(self._sunk).tolist():

@@ -12,6 +12,7 @@ from household.crowd import Crowd
 from household.people.appraisal import appraise
 from household.people.feelings import Feelings
 from household.people.mind import (
+    NOBODY,
     OWN_ACTIVITY,
     Intentions,
     Judgements,
@@ -48,6 +49,7 @@ class People:
         place: Index of the region that each is in, -1 outside all, shape (n,).
         activity: The role that each plays, as `Activity` values, shape (n,).
         touched: Whose wish to touch was fulfilled in this step, shape (n,).
+        quarry: Index of the body that each is out to touch, or `NOBODY`, shape (n,).
     """
 
     intentions: Intentions
@@ -81,13 +83,13 @@ class People:
         self._pleasing = np.zeros((n, n_robots), np.bool_)
         # The decision at which the bout of each robot began that each last judged.
         self._judged = np.full((n, n_robots), -1, np.intp)
-        self._out_to_touch: list[int] = []
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._goals = np.zeros((n, 2))
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity = np.full(n, int(Activity.UNKNOWN))
         self.touched = np.zeros(n, np.bool_)
+        self.quarry = np.full(n, NOBODY, np.intp)
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
         """Begins a new episode.
@@ -103,7 +105,7 @@ class People:
         self.touched[:] = False
         self._judged[:] = -1
         self._claimed = [NOWHERE] * len(self.everyone)
-        self._out_to_touch = []
+        self.quarry[:] = NOBODY
         self.intentions = self._minds.reset(rngs)
         self._claim_places()
         position = np.zeros((len(self.everyone), 2))
@@ -186,7 +188,8 @@ class People:
         self._claim_places()
         wishes = self.intentions.wishes
         if wishes is not before:
-            self._out_to_touch = [i for i, w in enumerate(wishes) if w is not None]
+            n = len(wishes)
+            self.quarry[:] = [NOBODY if w is None else n + w.robot for w in wishes]
         at_hand = [i for i, w in self.wishes() if self.reaches(i, w, crowd, senses)]
         self._set_out(crowd, at_hand, now)
         if wishes is not before:
@@ -225,12 +228,13 @@ class People:
 
     def wishes(self) -> list[tuple[int, Wish]]:
         """The touches that people are out to give, with the index of the person."""
-        wishes = self.intentions.wishes
-        return [
-            (i, wish)
-            for i in self._out_to_touch
-            if (wish := wishes[i]) is not None and not self.touched[i]
-        ]
+        wishes = enumerate(self.intentions.wishes)
+        return [(i, wish) for i, wish in wishes if wish and not self.touched[i]]
+
+    def has_touched(self, i: int) -> None:
+        """A person's wish is fulfilled."""
+        self.touched[i] = True
+        self.quarry[i] = NOBODY
 
     def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person's hand can touch the robot from where it stands."""

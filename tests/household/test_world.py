@@ -76,7 +76,7 @@ def test_nobody_passes_a_wall_however_it_runs_against_it(room, pace):
         velocity = pace * np.column_stack([np.cos(angle), np.sin(angle)])
         for _ in range(10):
             world.velocity[:] = velocity
-            position = world.advance(0.1, 2)
+            position = world.advance(position, 0.1, 2)
             assert deepest(plan, position, PERSON) <= OVERLAP
     np.testing.assert_array_equal(position[:, 0] < 4.0, west)
 
@@ -85,10 +85,11 @@ def test_a_crowd_that_presses_into_a_corner_presses_nobody_into_the_wall(room):
     plan = room()
     start = [(0.5 + 0.6 * i, 0.5 + 0.6 * j) for i in range(4) for j in range(3)]
     world = World(plan, *people(12))
-    world.place(np.array(start))
+    position = np.array(start)
+    world.place(position)
     for _ in range(50):
         world.velocity[:] = -1.2
-        position = world.advance(0.1, 2)
+        position = world.advance(position, 0.1, 2)
         assert deepest(plan, position, PERSON) <= OVERLAP
 
 
@@ -97,10 +98,11 @@ def test_a_gap_too_narrow_for_a_body_does_not_let_it_in_however_it_is_pressed(ro
     chair = Furniture(name="chair", center=(7.35, 1.0), size=(0.8, 0.8), angle=45.0)
     plan = room(furniture=(chair,))
     world = World(plan, *people(3))
-    world.place(np.array([[7.69, 1.7], [7.69, 2.25], [7.2, 2.2]]))
+    position = np.array([[7.69, 1.7], [7.69, 2.25], [7.2, 2.2]])
+    world.place(position)
     for _ in range(40):
         world.velocity[:] = [[0.0, -1.2], [0.0, -1.2], [0.7, -0.9]]
-        position = world.advance(0.1, 2)
+        position = world.advance(position, 0.1, 2)
         assert deepest(plan, position, PERSON) <= OVERLAP
 
 
@@ -112,42 +114,139 @@ def test_who_is_pushed_out_of_a_wall_is_not_pushed_into_a_cupboard(room, monkeyp
     cupboard = Furniture(name="cupboard", center=(8.4, 0.65), size=(0.6, 1.1))
     plan = room(size=(12.0, 5.0), walls=((8.0, 0.0, 8.0, 2.4),), furniture=(cupboard,))
     world = World(plan, np.array([ROBOT]), np.array([2.0]))
-    world.place(np.array([[8.2, 1.35]]))
+    start = np.array([[8.2, 1.35]])
+    world.place(start)
     # As the engine left it once, when a crowd pressed a robot into that corner.
     left = [8.09, 1.19]
     monkeypatch.setattr(world, "_read", lambda: world._place.put([0, 1], left))
-    position = world.advance(0.1, 1)
-    np.testing.assert_array_equal(position, [[8.2, 1.35]])
+    position = world.advance(start, 0.1, 1)
+    np.testing.assert_array_equal(position, start)
 
 
 def test_bodies_push_each_other_and_the_heavy_one_yields_less(room):
     world = World(room(), np.array([PERSON, ROBOT]), np.array([70.0, 2.0]))
-    world.place(np.array([[2.0, 2.5], [3.0, 2.5]]))
+    position = np.array([[2.0, 2.5], [3.0, 2.5]])
+    world.place(position)
     for _ in range(10):
         world.velocity[:] = [[1.2, 0.0], [0.0, 0.0]]
-        position = world.advance(0.1, 2)
+        position = world.advance(position, 0.1, 2)
     assert position[1, 0] > 3.5
     # Bodies are soft, but not so soft that one walks through the other.
     assert position[1, 0] - position[0, 0] > PERSON
-    world.place(np.array([[2.0, 2.5], [3.0, 2.5]]))
+    position = np.array([[2.0, 2.5], [3.0, 2.5]])
+    world.place(position)
     for _ in range(10):
         world.velocity[:] = [[0.0, 0.0], [-0.5, 0.0]]
-        position = world.advance(0.1, 2)
+        position = world.advance(position, 0.1, 2)
     assert abs(position[0, 0] - 2.0) < 0.2
 
 
 def test_who_stands_alone_stays_where_it_is(room):
     world = World(room(), *people(1))
-    world.place(np.array([[2.0, 2.5]]))
-    assert world.advance(0.1, 50).tolist() == [[2.0, 2.5]]
+    start = np.array([[2.0, 2.5]])
+    world.place(start)
+    assert world.advance(start, 0.1, 50).tolist() == [[2.0, 2.5]]
 
 
 def test_a_free_body_moves_as_fast_as_it_is_told(room):
     world = World(room(), *people(1))
-    world.place(np.array([[2.0, 2.5]]))
+    start = np.array([[2.0, 2.5]])
+    world.place(start)
     world.velocity[:] = 1.2, -0.5
-    moved = world.advance(0.1, 10)
+    moved = world.advance(start, 0.1, 10)
     np.testing.assert_allclose(moved, [[3.2, 2.0]], atol=1e-9)
+
+
+def test_bodies_that_moved_without_the_engine_are_where_they_are_for_it(room):
+    """Two that were far apart for the engine push each other where they stand now."""
+    world = World(room(), *people(2))
+    world.place(np.array([[2.0, 2.5], [6.0, 2.5]]))
+    near = np.array([[5.45, 2.5], [6.0, 2.5]])
+    world.velocity[:] = [[1.2, 0.0], [0.0, 0.0]]
+    moved = world.advance(near, 0.1, 5)
+    assert moved[0, 0] > 5.45
+    assert moved[1, 0] > 6.1
+    assert moved[1, 0] - moved[0, 0] > PERSON
+
+
+class Asked:
+    """Counts how often the engine is asked."""
+
+    def __init__(self, crowd, monkeypatch):
+        self.times, step = 0, crowd.space.step
+
+        def counted(tick):
+            self.times += 1
+            step(tick)
+
+        monkeypatch.setattr(crowd.space, "step", counted)
+
+
+@pytest.mark.parametrize(
+    ("start", "goal", "asked"),
+    [
+        ([(1.0, 2.5)], (7.0, 2.5), False),
+        # Past somebody who stands aside, and past a wall with a hand's breadth between.
+        ([(1.0, 2.5), (4.0, 3.2)], (7.0, 2.5), False),
+        ([(1.0, 0.4)], (7.0, 0.4), False),
+        # Somebody stands on the goal.
+        ([(1.0, 2.5), (7.0, 2.5)], (7.0, 2.5), True),
+    ],
+    ids=["alone", "past somebody", "along a wall", "onto somebody"],
+)
+def test_the_engine_is_asked_only_where_bodies_may_touch(
+    room, crowd_in, monkeypatch, start, goal, asked
+):
+    crowd = crowd_in(room(), start)
+    engine = Asked(crowd, monkeypatch)
+    assert crowd.send(0, goal, 0.0)
+    for _ in range(60):
+        crowd.advance()
+    assert math.dist(crowd.position[0], goal) < (1.0 if asked else 0.1)
+    assert (engine.times > 0) == asked
+
+
+def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in):
+    """To the last bit, period by period, with two who pass each other."""
+    tracks = []
+    for with_engine in (False, True):
+        crowd = crowd_in(room(), [(1.0, 2.0), (7.0, 3.0)])
+        assert crowd.send(0, (7.0, 2.0), 0.0)
+        assert crowd.send(1, (1.0, 3.0), 0.0)
+        track = []
+        for _ in range(20):
+            crowd._pushed = with_engine
+            crowd.advance()
+            track.append(crowd.position)
+        tracks.append(track)
+    np.testing.assert_array_equal(*tracks)
+
+
+def test_several_periods_at_once_are_the_same_as_one_by_one(room, crowd_in):
+    ends = []
+    for at_once in (1, 5):
+        crowd = crowd_in(room(), [(1.0, 2.5), (5.0, 1.0)])
+        crowd.send(0, (7.0, 4.0), 0.0)
+        left = 40
+        while left:
+            left -= crowd.advance(min(at_once, left))
+        ends.append([crowd.position, crowd.heading.copy()])
+    np.testing.assert_array_equal(ends[0][0], ends[1][0])
+    np.testing.assert_array_equal(ends[0][1], ends[1][1])
+
+
+def test_who_is_after_somebody_stops_to_look_within_reach(room, crowd_in):
+    """From 6 m away, 0.24 m in each period: 0.8 m are reached in the 22nd."""
+    crowd = crowd_in(room(), [(1.0, 2.5), (7.0, 2.5)])
+    crowd.send(0, (7.0, 2.5), 0.0)
+    after = np.array([1])
+    assert crowd.advance(100, after, 0.8) == 22
+    assert math.dist(*crowd.position) <= 0.8
+    # From then on it looks in every period, also while it stands.
+    assert crowd.advance(100, after, 0.8) == 1
+    crowd.halt(0)
+    assert crowd.advance(100, after, 0.8) == 1
+    assert crowd.advance(100) == 100
 
 
 def length(start, way):

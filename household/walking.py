@@ -1,0 +1,150 @@
+"""Walking where nothing is in the way, without the physics engine.
+
+A body that touches nothing goes on with its velocity; that takes no engine. Most steps
+of most walks are such, and each call of the engine costs more than this whole loop.
+"""
+
+import numpy as np
+
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
+from household.locomotion import follow_up, steer
+from household.solid import touches
+
+NOBODY = -1
+"""In place of a body."""
+
+MARGIN = 0.001
+"""Bodies that come this near to each other [m] are left to the engine."""
+
+
+@compiled
+def walk_freely(
+    position: Floats,
+    velocity: Floats,
+    heading: Floats,
+    waypoint: Floats,
+    near: Floats,
+    pace: Floats,
+    nearest: Floats,
+    stalled: Floats,
+    due: Mask,
+    radius: Floats,
+    segments: Floats,
+    thickness: Floats,
+    boxes: Floats,
+    quarry: Indices,
+    reach: float,
+    periods: int,
+    ticks: int,
+    tick: float,
+) -> int:
+    """Lets walkers walk until somebody has something to decide, or may touch something.
+
+    Args:
+        position: Shape (n, 2) [m]; changed in place, as all that follow up to ``due``
+            where `steer` and `follow_up` say so.
+        velocity: Of the last period, shape (n, 2) [m/s].
+        heading: Shape (n,) [rad].
+        waypoint: Where each is heading, shape (n, 2) [m].
+        near: Distance at which the waypoint counts as reached, shape (n,) [m].
+        pace: Shape (n,) [m/s]; 0: stands.
+        nearest: How near each came to its waypoint, shape (n,) [m].
+        stalled: Since how long each came no nearer, (n,) [s].
+        due: Set to who has something to decide, shape (n,).
+        radius: Of each body, shape (n,) [m].
+        segments: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
+        thickness: Its half thickness, shape (m,) [m].
+        boxes: From `boxes_round`, shape (4, m) [m].
+        quarry: Whom each of the first bodies is after, `NOBODY` for none.
+        reach: Distance from its quarry at which a body has something to decide [m].
+        periods: How many steering periods to walk at most.
+        ticks: Of the engine in each of them.
+        tick: Length of each [s].
+
+    Returns:
+        How many periods have passed. If none has, the engine has to be asked; then
+        velocities and headings are already those to set out with.
+    """
+    period = ticks * tick
+    due[:] = False
+    for passed in range(periods):
+        steer(position, waypoint, pace, radius, period, heading, velocity)
+        if not (
+            _is_clear_of_walls(
+                position, velocity, radius, segments, thickness, boxes, period
+            )
+            and _is_clear_of_others(position, velocity, radius, period)
+        ):
+            return passed
+        before = position.copy()
+        for _ in range(ticks):
+            position += velocity * tick
+        anybody, _ = follow_up(
+            before, position, waypoint, near, pace, nearest, stalled, due, period
+        )
+        if anybody or _has_caught_up(position, quarry, reach):
+            return passed + 1
+    return periods
+
+
+@compiled
+def _has_caught_up(position: Floats, quarry: Indices, reach: float) -> bool:
+    """Whether anybody has come within reach of its quarry."""
+    for i in range(len(quarry)):
+        if quarry[i] != NOBODY:
+            gap = position[i] - position[quarry[i]]
+            if np.hypot(gap[0], gap[1]) <= reach:
+                return True
+    return False
+
+
+@compiled
+def _is_clear_of_walls(
+    position: Floats,
+    velocity: Floats,
+    radius: Floats,
+    segments: Floats,
+    thickness: Floats,
+    boxes: Floats,
+    period: float,
+) -> bool:
+    """Whether nobody who walks comes to touch anything solid."""
+    for i in range(len(position)):
+        x, y = position[i]
+        to = (x + velocity[i, 0] * period, y + velocity[i, 1] * period)
+        if to != (x, y) and touches(
+            (x, y), to, radius[i] + MARGIN, segments, thickness, boxes
+        ):
+            return False
+    return True
+
+
+@compiled
+def _is_clear_of_others(
+    position: Floats, velocity: Floats, radius: Floats, period: float
+) -> bool:
+    """Whether nobody who walks comes to touch anybody."""
+    for i in range(len(position)):
+        if velocity[i, 0] == 0.0 and velocity[i, 1] == 0.0:
+            continue
+        for j in range(len(position)):
+            apart = radius[i] + radius[j] + MARGIN
+            if j != i and _least_gap(position, velocity, i, j, period) < apart:
+                return False
+    return True
+
+
+@compiled
+def _least_gap(
+    position: Floats, velocity: Floats, i: int, j: int, period: float
+) -> float:
+    """The least distance between two middles while both go on for a period [m]."""
+    ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+    vx, vy = velocity[j, 0] - velocity[i, 0], velocity[j, 1] - velocity[i, 1]
+    fast = vx * vx + vy * vy
+    when = 0.0
+    if fast > 0.0:
+        when = min(max(-(ox * vx + oy * vy) / fast, 0.0), period)
+    ox, oy = ox + vx * when, oy + vy * when
+    return np.sqrt(ox * ox + oy * oy)
