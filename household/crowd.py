@@ -89,6 +89,7 @@ class Crowd:
         self._near = np.zeros(n)
         self._pace = np.zeros(n)
         self.walking = np.zeros(n, np.bool_)
+        self._lost = np.zeros(n, np.bool_)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._due = np.zeros(n, np.bool_)
@@ -145,16 +146,14 @@ class Crowd:
         away = math.dist(self.where[i], goal)
         return away <= (CROWDED if crowded else DRIFT)
 
-    def arrived(self, goals: Array) -> NDArray[np.bool_]:
+    def arrived(self, goals: Array, there: NDArray[np.bool_]) -> None:
         """Who stands at its goal, or as near to it as others let it.
 
         Args:
             goals: One for each of the first bodies, shape (m, 2) [m].
-
-        Returns:
-            Shape (m,).
+            there: Shape (m,); filled in.
         """
-        return arrived(goals, self.position, self.walking, self._settled)
+        arrived(goals, self.position, self.walking, self._settled, there)
 
     def astray(self, goals: Array) -> list[int]:
         """Who is neither at its goal nor on its way there; see `is_bound_for`.
@@ -162,10 +161,13 @@ class Crowd:
         Args:
             goals: One for each of the first bodies, shape (m, 2) [m].
         """
-        found: list[int] = astray(
-            goals, self.position, self.walking, self._end, self._settled
-        ).tolist()
-        return found
+        lost = self._lost[: len(goals)]
+        anybody = astray(
+            goals, self.position, self.walking, self._end, self._settled, lost
+        )
+        return (
+            [i for i, is_lost in enumerate(lost.tolist()) if is_lost] if anybody else []
+        )
 
     def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
@@ -334,4 +336,4 @@ class Crowd:
             target: Wanted directions, shape (n,) [rad].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        self.gaze, self.heading = turn_heads(self.gaze, self.heading, target, most)
+        turn_heads(self.gaze, self.heading, target, most)

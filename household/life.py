@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from household.crowd import Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
+from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import REACH, MakeMinds, People
 from household.perception.senses import Senses
@@ -53,6 +54,7 @@ class Life:
         crowd: Everybody's body; people come first and robots after them.
         senses: Who sees, hears and attends to whom.
         moods: The people's moods as each robot reads them, (n_robots, n_people).
+        half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
         decision: Decisions since the beginning.
     """
 
@@ -76,12 +78,12 @@ class Life:
         )
         self.senses = Senses(scenario.plan, scenario.perception, n_people + n_robots)
         self._streams = Streams(n_people, n_robots)
-        self._head_turn = np.radians(
-            [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
-        )
+        head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
+        self._head_turn = np.radians(head_speed) * scenario.decision_period
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
         self._target = np.zeros(n_people + n_robots)
-        self._half_view = np.full(n_people + n_robots, ROBOT_VIEW)
+        self.half_view = np.full(n_people + n_robots, ROBOT_VIEW)
+        self.moods = np.zeros((n_robots, n_people))
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)
         self._moments = round(scenario.decision_period / scenario.steering_period)
@@ -129,7 +131,7 @@ class Life:
         self._move_robots()
         self._walk_and_touch()
         self.decision += 1
-        self._look_around(self._head_turn * self._scenario.decision_period)
+        self._look_around(self._head_turn)
         self._perceive()
         self.people.judge(self.senses, self.robots)
         self.people.decide(self.crowd, self.senses, self.robots, self.time)
@@ -189,22 +191,24 @@ class Life:
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self._scenario.decision_period
-        n = self._n_people
         self.people.locate(self.crowd.position)
-        self._half_view[:n] = self.people.half_views()
-        self.robots.show(since, self._salience[n:], self._source[n:])
+        self.people.open_eyes(self.half_view)
+        self.robots.show(since, self._salience, self._source)
         self.senses.perceive(
             position=self.crowd.position,
             gaze=self.crowd.gaze,
-            half_view=self._half_view,
+            half_view=self.half_view,
             salience=self._salience,
             absorption=self._absorption,
             source=self._source,
             now=self.time,
         )
-        misread = self._scenario.perception.mood_noise * self._noise.next()[:, :n]
-        moods = self.people.feelings.mood + misread
-        self.moods = np.minimum(np.maximum(moods, -1.0), 1.0)
+        misread(
+            self.people.feelings.mood,
+            self._noise.next(),
+            self._scenario.perception.mood_noise,
+            self.moods,
+        )
 
     def view(self) -> View:
         """What robots may know of this moment."""

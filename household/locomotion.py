@@ -141,8 +141,8 @@ def follow_up(
 
 @compiled
 def arrived(
-    goals: Array, position: Array, walking: Mask, settled: Array
-) -> NDArray[np.bool_]:
+    goals: Array, position: Array, walking: Mask, settled: Array, there: Mask
+) -> None:
     """Who stands at its goal, or as near to it as others let it.
 
     Args:
@@ -150,20 +150,21 @@ def arrived(
         position: Shape (n, 2) [m].
         walking: Shape (n,).
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
-
-    Returns:
-        Shape (m,).
+        there: Shape (m,); filled in.
     """
-    there = np.zeros(len(goals), np.bool_)
     for i in range(len(goals)):
         there[i] = not walking[i] and _is_at(position[i], goals[i], settled[i])
-    return there
 
 
 @compiled
 def astray(
-    goals: Array, position: Array, walking: Mask, end: Array, settled: Array
-) -> NDArray[np.intp]:
+    goals: Array,
+    position: Array,
+    walking: Mask,
+    end: Array,
+    settled: Array,
+    lost: Mask,
+) -> bool:
     """Who is neither at its goal, or as near as others let it, nor on its way there.
 
     Args:
@@ -172,17 +173,17 @@ def astray(
         walking: Shape (n,).
         end: Where the walk of each that walks ends, shape (n, 2) [m].
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        lost: Set to who is, shape (m,).
 
     Returns:
-        Indices.
+        Whether anybody is.
     """
-    lost = np.zeros(len(goals), np.bool_)
     for i in range(len(goals)):
         if walking[i]:
             lost[i] = not _apart(end[i], goals[i]) <= DRIFT
         else:
             lost[i] = not _is_at(position[i], goals[i], settled[i])
-    return np.flatnonzero(lost)
+    return bool(lost.any())
 
 
 @compiled
@@ -199,27 +200,20 @@ def _apart(a: Array, b: Array) -> float:
 
 
 @compiled
-def turn_heads(
-    gaze: Array, heading: Array, target: Array, most: Array
-) -> tuple[Array, Array]:
+def turn_heads(gaze: Array, heading: Array, target: Array, most: Array) -> None:
     """Turns every head towards where it wants to look, and bodies where necks end.
 
     Args:
-        gaze: Where every head points, shape (n,) [rad].
-        heading: Where every body faces, shape (n,) [rad].
+        gaze: Where every head points, shape (n,) [rad]; changed in place.
+        heading: Where every body faces, shape (n,) [rad]; changed in place.
         target: Wanted directions, shape (n,) [rad].
         most: How far each head can turn in this time, shape (n,) [rad].
-
-    Returns:
-        New gazes and headings, each of shape (n,) [rad].
     """
-    turned, faced = np.empty_like(gaze), np.empty_like(heading)
     for i in range(len(gaze)):
         turn = _wrapped(target[i] - gaze[i])
-        turned[i] = gaze[i] + min(max(turn, -most[i]), most[i])
-        strain = _wrapped(turned[i] - heading[i])
-        faced[i] = heading[i] + strain - min(max(strain, -NECK), NECK)
-    return turned, faced
+        gaze[i] += min(max(turn, -most[i]), most[i])
+        strain = _wrapped(gaze[i] - heading[i])
+        heading[i] = heading[i] + strain - min(max(strain, -NECK), NECK)
 
 
 @compiled

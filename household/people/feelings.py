@@ -109,7 +109,7 @@ def opinion(pleased: float, annoyed: float) -> int:
 
 
 @compiled
-def misread(mood: Floats, noise: Floats, size: float) -> Floats:
+def misread(mood: Floats, noise: Floats, size: float, read: Floats) -> None:
     """Moods as robots read them off faces.
 
     Args:
@@ -117,13 +117,9 @@ def misread(mood: Floats, noise: Floats, size: float) -> Floats:
         noise: Standard normal, for as many people as could be there, shape
             (n_robots, at least n).
         size: Standard deviation of the error.
-
-    Returns:
-        Shape (n_robots, n), in [-1, 1].
+        read: Shape (n_robots, n), in [-1, 1]; filled in.
     """
-    read = np.empty((len(noise), len(mood)))
     for robot in range(len(noise)):
         for i in range(len(mood)):
             felt = mood[i] + size * noise[robot, i]
             read[robot, i] = min(max(felt, -1.0), 1.0)
-    return read

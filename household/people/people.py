@@ -23,7 +23,7 @@ from household.people.mind import (
 from household.people.norms import norm_table
 from household.people.person import everyone_of
 from household.people.places import NOWHERE, Places
-from household.people.traits import traits_of
+from household.people.traits import Traits, traits_of
 from household.perception.senses import Senses
 from household.robots.robots import Robots
 from household.scenario import Scenario
@@ -73,7 +73,6 @@ class People:
             n, len(Activity), 2, -1
         )
         self._rows = np.arange(n)[:, None]
-        self._half_views = np.radians([p.field_of_view / 2 for p in personas])
         self._judgements = Judgements(
             new=np.zeros((n, n_robots), np.bool_),
             value=np.zeros((n, n_robots)),
@@ -86,6 +85,7 @@ class People:
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._goals = np.zeros((n, 2))
+        self._arrived = np.zeros(n, np.bool_)
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity = np.full(n, int(Activity.UNKNOWN))
         self.touched = np.zeros(n, np.bool_)
@@ -144,9 +144,14 @@ class People:
             for i, person in enumerate(self.everyone)
         }
 
-    def half_views(self) -> Floats:
-        """Half of each field of view, (n,) [rad]; negative with the eyes closed."""
-        return np.where(self.intentions.eyes_open, self._half_views, -1.0)
+    def open_eyes(self, half_view: Floats) -> None:
+        """Fills in half of each person's field of view.
+
+        Args:
+            half_view: For people and robots, (n + n_robots,) [rad]; negative with the
+                eyes closed.
+        """
+        _open_eyes(half_view, self.intentions.eyes_open, self._traits)
 
     def judge(self, senses: Senses, robots: Robots) -> None:
         """Everybody appraises the bouts that it did not appraise before.
@@ -201,11 +206,12 @@ class People:
     def _percepts(
         self, crowd: Crowd, senses: Senses, robots: Robots, now: float
     ) -> Percepts:
+        crowd.arrived(self._spots, self._arrived)
         return Percepts(
             time=now,
             period=self._period,
             activity=self.activity,
-            arrived=crowd.arrived(self._spots),
+            arrived=self._arrived,
             touched=self.touched,
             mood=self.feelings.mood,
             judgements=self._judgements,
@@ -276,6 +282,13 @@ class People:
             crowd.position,
             crowd.heading,
         )
+
+
+@compiled
+def _open_eyes(half_view: Floats, eyes_open: Mask, traits: Traits) -> None:
+    for i in range(len(eyes_open)):
+        half = math.radians(traits[i].field_of_view / 2)
+        half_view[i] = half if eyes_open[i] else -1.0
 
 
 @compiled

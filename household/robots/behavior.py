@@ -1,10 +1,9 @@
 """Behaviors: what a robot can choose, as data."""
 
-from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
@@ -30,8 +29,7 @@ class Behavior(Record, frozen=True, kw_only=True):
     motion: Motion = "still"
 
 
-@dataclass(frozen=True, slots=True)
-class Bout:
+class Bout(NamedTuple):
     """One performance of a behavior.
 
     Attributes:

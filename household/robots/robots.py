@@ -47,6 +47,7 @@ class Robots:
         self.begun = np.full(n, IDLE.decision, dtype=np.intp)
         self._began = np.full(n, IDLE.began)
         self._ends = np.full(n, IDLE.ends)
+        self._left = np.zeros(n)
         self._untouched()
 
     def choose(self, robot: int, behavior: int, decision: int, now: float) -> None:
@@ -105,8 +106,9 @@ class Robots:
 
         Args:
             since: Beginning of the period that is looked and listened to [s].
-            salience: How strongly each draws the eye, shape (n,); filled in.
-            source: How loud each is at 1 m, shape (n,) [dB]; filled in.
+            salience: How strongly each draws the eye; filled in at its end, as people
+                come before robots.
+            source: How loud each is at 1 m [dB]; likewise.
         """
         _show(
             salience,
@@ -119,8 +121,12 @@ class Robots:
         )
 
     def left(self, now: float) -> Array:
-        """Share of each robot's bout that is left, shape (n,), in [0, 1]."""
-        return _left(self._began, self._ends, now)
+        """Share of each robot's bout that is left, shape (n,), in [0, 1].
+
+        Always the same array, with new values in it.
+        """
+        _left(self._began, self._ends, now, self._left)
+        return self._left
 
 
 @compiled
@@ -133,16 +139,15 @@ def _show(
     saliences: Array,
     loudness: Array,
 ) -> None:
+    first = len(salience) - len(behavior)
     for i in range(len(behavior)):
         over = ends[i] <= since + MOMENT
-        salience[i] = 1.0 if over else saliences[behavior[i]]
-        source[i] = 0.0 if over else loudness[behavior[i]]
+        salience[first + i] = 1.0 if over else saliences[behavior[i]]
+        source[first + i] = 0.0 if over else loudness[behavior[i]]
 
 
 @compiled
-def _left(began: Array, ends: Array, now: float) -> Array:
-    left = np.zeros(len(ends))
+def _left(began: Array, ends: Array, now: float, left: Array) -> None:
     for i in range(len(ends)):
-        if ends[i] > now + MOMENT:
-            left[i] = (ends[i] - now) / (ends[i] - began[i])
-    return left
+        lasts = ends[i] > now + MOMENT
+        left[i] = (ends[i] - now) / (ends[i] - began[i]) if lasts else 0.0

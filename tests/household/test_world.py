@@ -387,12 +387,15 @@ def test_all_are_asked_at_once_for_where_they_are_bound(room, crowd_in):
     assert crowd.send(1, (4.0, 4.0), 0.0)
     standing, walking = (1.05, 2.5), (4.0, 4.0)
     goals = np.array([standing, walking, (6.15, 1.0)])
+    there = np.zeros(3, dtype=bool)
     assert crowd.astray(goals) == [2]
-    assert crowd.arrived(goals).tolist() == [True, False, False]
-    elsewhere = np.array([walking, (4.0, 2.5)])
+    crowd.arrived(goals, there)
+    assert there.tolist() == [True, False, False]
+    elsewhere = np.array([walking, (4.0, 2.5), (6.0, 1.0)])
     assert crowd.astray(elsewhere) == [0, 1]
-    # It is still where it set out from, but no longer there to stay.
-    assert crowd.arrived(elsewhere).tolist() == [False, False]
+    # The second is still where it set out from, but no longer there to stay.
+    crowd.arrived(elsewhere, there)
+    assert there.tolist() == [False, False, True]
 
 
 def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
@@ -406,7 +409,9 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     assert 0.1 < math.dist(crowd.where[0], (4.0, 2.5)) <= 1.0
     for goal, bound in (((4.0, 2.5), True), ((3.2, 2.5), False)):
         assert crowd.is_bound_for(0, goal) == bound
-        assert crowd.arrived(np.array([goal])).tolist() == [bound]
+        there = np.zeros(1, dtype=bool)
+        crowd.arrived(np.array([goal]), there)
+        assert there.tolist() == [bound]
         assert crowd.astray(np.array([goal])) == ([] if bound else [0])
 
 
