@@ -180,7 +180,7 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        way = self._routes.plan(self.where[i], goal)
+        way = self._routes.plan(self.where[i], goal, self._ways[i])
         if not way:
             self.halt(i)
             return False
@@ -215,18 +215,21 @@ class Crowd:
         """
         if not (self._pushed or any(self._ways)):
             return 1 if (quarry != NOBODY).any() else periods
-        passed = 0 if self._pushed else self._walk_freely(periods, quarry, reach)
+        passed, due = 0, False
+        if not self._pushed:
+            passed, due = self._walk_freely(periods, quarry, reach)
         if passed == 0:
-            self._push_on()
-            passed = 1
-        if self._due.any():
+            passed, due = 1, self._push_on()
+        if due:
             self._decide()
         return passed
 
-    def _walk_freely(self, periods: int, quarry: Indices, reach: float) -> int:
+    def _walk_freely(
+        self, periods: int, quarry: Indices, reach: float
+    ) -> tuple[int, bool]:
         """Walks for some periods, as long as nobody may touch anything."""
         position = self.position.copy()
-        passed: int = walk_freely(
+        passed, due = walk_freely(
             position,
             self._world.velocity,
             self.heading,
@@ -248,9 +251,9 @@ class Crowd:
         )
         if passed:
             self._stand(position)
-        return passed
+        return passed, due
 
-    def _push_on(self) -> None:
+    def _push_on(self) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
         before, world = self.position, self._world
         steer(
@@ -264,7 +267,7 @@ class Crowd:
         )
         self._stand(world.advance(before, self._tick, self._ticks))
         # Bodies that were pushed come to rest in the period after.
-        _, self._pushed = follow_up(
+        due, self._pushed = follow_up(
             before,
             self.position,
             self._waypoint,
@@ -275,6 +278,7 @@ class Crowd:
             self._due,
             self._period,
         )
+        return due
 
     def _decide(self) -> None:
         """Who is at its waypoint heads for the next, who is stuck tries another way."""

@@ -56,13 +56,14 @@ class Life:
         moods: The people's moods as each robot reads them, (n_robots, n_people).
         half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
         decision: Decisions since the beginning.
+        time: Since the beginning [s].
     """
 
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
         self._scenario = scenario
         self.people = People(scenario, make_minds)
         self.robots = Robots(scenario)
-        self.decision = 0
+        self.decision, self.time = 0, 0.0
         personas = [person.persona for person in self.people.everyone]
         n_people, n_robots = len(personas), len(self.robots.names)
         self._n_people = n_people
@@ -89,18 +90,13 @@ class Life:
         self._moments = round(scenario.decision_period / scenario.steering_period)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
 
-    @property
-    def time(self) -> float:
-        """Time since the beginning [s]."""
-        return self.decision * self._scenario.decision_period
-
     def begin(self, seed: int | None) -> None:
         """Begins an episode.
 
         Args:
             seed: Begins a history of its own; None goes on with the present one.
         """
-        self.decision = 0
+        self.decision, self.time = 0, 0.0
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
         self._noise = Draws(self._streams.faces, MOST_PEOPLE, "normal")
@@ -131,6 +127,7 @@ class Life:
         self._move_robots()
         self._walk_and_touch()
         self.decision += 1
+        self.time = self.decision * self._scenario.decision_period
         self._look_around(self._head_turn)
         self._perceive()
         self.people.judge(self.senses, self.robots)

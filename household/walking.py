@@ -38,7 +38,7 @@ def walk_freely(
     periods: int,
     ticks: int,
     tick: float,
-) -> int:
+) -> tuple[int, bool]:
     """Lets walkers walk until somebody has something to decide, or may touch something.
 
     Args:
@@ -63,8 +63,8 @@ def walk_freely(
         tick: Length of each [s].
 
     Returns:
-        How many periods have passed. If none has, the engine has to be asked; then
-        velocities and headings are already those to set out with.
+        How many periods have passed, and whether anybody is ``due``. If no period has
+        passed, the engine has to be asked.
     """
     period = ticks * tick
     due[:] = False
@@ -76,7 +76,7 @@ def walk_freely(
             )
             and _is_clear_of_others(position, velocity, radius, period)
         ):
-            return passed
+            return passed, False
         before = position.copy()
         for _ in range(ticks):
             position += velocity * tick
@@ -84,8 +84,8 @@ def walk_freely(
             before, position, waypoint, near, pace, nearest, stalled, due, period
         )
         if anybody or _has_caught_up(position, quarry, reach):
-            return passed + 1
-    return periods
+            return passed + 1, anybody
+    return periods, False
 
 
 @compiled

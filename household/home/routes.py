@@ -4,6 +4,8 @@ A person's center may be wherever its body clears everything solid. That free sp
 is a grid; shortest ways on it are pulled straight wherever the straight line is free.
 """
 
+import math
+from collections.abc import Sequence
 from functools import cached_property, lru_cache, reduce
 
 import numpy as np
@@ -19,6 +21,8 @@ from household.home.straight import (
     NOWHERE,
     cell_of,
     ends_of,
+    in_cells,
+    line_is_free,
     onward_to,
     turning_way,
 )
@@ -32,6 +36,10 @@ STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 
 KEPT = 1024
 """Goals to which ways are kept at most; they take 4 bytes per cell."""
+
+BENT = 1.0
+"""So far may the end of a way be moved before the way is planned anew [m]: who follows
+somebody need not think of the whole way at each step."""
 
 MARGIN = 6 * CELL
 """Free ground round the home [m], so that all that is outdoors hangs together."""
@@ -120,13 +128,17 @@ class Routes:
         """Of the cells, for `onward_to`."""
         return np.where(self._indoors, FAR, CLOSED).astype(np.int32)
 
-    def plan(self, start: Point, goal: Point) -> list[Point]:
+    def plan(
+        self, start: Point, goal: Point, before: Sequence[Point] = ()
+    ) -> list[Point]:
         """Waypoints of a short walk.
 
         Args:
             start: Where the walk begins [m].
             goal: Where it should end [m]; where no body fits, the nearest place
                 where one does.
+            before: What is left of the way that the walker is on; where the goal has
+                only moved a little, the end of that way is bent towards it.
 
         Returns:
             Points [m] to walk to one after the other, the last one nearest to the
@@ -137,8 +149,17 @@ class Routes:
         )
         if first == last:
             return [end] if first != NOWHERE else []
+        if len(before) > 1 and self._leads_on(before, end):
+            return [*before[:-1], end]
         onward = self._onward(first, last)
         return turning_way(self.free, onward, self._corner, first, end)
+
+    def _leads_on(self, way: Sequence[Point], end: Point) -> bool:
+        """Whether a way leads to a new end close to its own."""
+        near = math.dist(way[-1], end) <= BENT
+        return near and line_is_free(
+            self.free, in_cells(self._corner, way[-2]), in_cells(self._corner, end)
+        )
 
     def _onward(self, first: int, last: int) -> NDArray[np.int32]:
         """Ways to the last cell from all that are as near as the first.

@@ -63,13 +63,13 @@ def ends_of(
     if parts[a] != parts[b]:
         return NOWHERE, NOWHERE, goal
     last = b[0] * free.shape[1] + b[1]
-    if line_is_free(free, _in_cells(corner, start), _in_cells(corner, goal)):
+    if line_is_free(free, in_cells(corner, start), in_cells(corner, goal)):
         return last, last, goal
     return a[0] * free.shape[1] + a[1], last, goal
 
 
 @compiled
-def _in_cells(corner: Point, point: Point) -> Point:
+def in_cells(corner: Point, point: Point) -> Point:
     """A point [m] in cells from the grid's corner."""
     return (point[0] - corner[0]) / CELL, (point[1] - corner[1]) / CELL
 
@@ -77,7 +77,7 @@ def _in_cells(corner: Point, point: Point) -> Point:
 @compiled
 def cell_of(free: Grid, corner: Point, point: Point) -> tuple[int, int]:
     """Column and row of the cell that holds a point [m], clipped to the grid."""
-    x, y = _in_cells(corner, point)
+    x, y = in_cells(corner, point)
     return (
         min(max(int(x), 0), free.shape[0] - 1),
         min(max(int(y), 0), free.shape[1] - 1),
@@ -166,7 +166,7 @@ def turning_way(
         The points where it turns, and its end [m].
     """
     middles = _middles(onward, first, free.shape[1])
-    goal, last = _in_cells(corner, end), len(middles) - 1
+    goal, last = in_cells(corner, end), len(middles) - 1
     way: list[Point] = []
     here = 0
     while here < last:

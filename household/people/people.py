@@ -195,11 +195,11 @@ class People:
         if wishes is not before:
             n = len(wishes)
             self.quarry[:] = [NOBODY if w is None else n + w.robot for w in wishes]
-        at_hand = [i for i, w in self.wishes() if self.reaches(i, w, crowd, senses)]
-        self._set_out(crowd, at_hand, now)
+        self._set_out(crowd, senses, now)
         if wishes is not before:
             for i, (new, old) in enumerate(zip(wishes, before, strict=True)):
-                if new is not old and crowd.walks(i) and i not in at_hand:
+                on_its_way = new is not old and crowd.walks(i)
+                if on_its_way and not self._is_at_hand(i, crowd, senses):
                     # Who was on its way elsewhere is so no longer.
                     crowd.walk_began[i] = now
 
@@ -249,20 +249,19 @@ class People:
         near = math.dist(person, robot) <= REACH
         return near and senses.nothing_between(person, robot)
 
-    def _set_out(self, crowd: Crowd, at_hand: Sequence[int], now: float) -> None:
-        """Everybody walks to where it wants to be, unless on the way or there.
+    def _is_at_hand(self, i: int, crowd: Crowd, senses: Senses) -> bool:
+        """Whether a person can touch what it is out to touch from where it stands."""
+        wish = self.intentions.wishes[i]
+        return wish is not None and self.reaches(i, wish, crowd, senses)
 
-        Args:
-            crowd: The bodies.
-            at_hand: Who can touch what it is out to touch from where it stands.
-            now: [s].
-        """
+    def _set_out(self, crowd: Crowd, senses: Senses, now: float) -> None:
+        """Everybody walks to where it wants to be, unless on the way or there."""
         goals, n = self._goals, len(self.everyone)
         goals[:] = self._spots
         for i, wish in self.wishes():
             goals[i] = crowd.where[n + wish.robot]
         for i in crowd.astray(goals):
-            if i not in at_hand:
+            if not self._is_at_hand(i, crowd, senses):
                 x, y = goals[i].tolist()
                 crowd.send(i, (x, y), now)
 

@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from household.arrays import Floats
+from household.compiled import compiled
 from household.crowd import Crowd
 from household.robots.behavior import Motion
 
@@ -39,7 +41,7 @@ class Mover(NamedTuple):
     body: int
     n_people: int
     begins: bool
-    spots: np.ndarray[tuple[int, int], np.dtype[np.float64]]
+    spots: Floats
     rng: np.random.Generator
     now: float
     period: float
@@ -82,10 +84,8 @@ def follow(mover: Mover, crowd: Crowd) -> None:
 def retreat(mover: Mover, crowd: Crowd) -> None:
     """Goes to the activity region that is farthest from everybody."""
     if mover.begins:
-        people = crowd.position[: mover.n_people]
-        offset = mover.spots[:, None] - people
-        away2 = np.einsum("ijk,ijk->ij", offset, offset).min(axis=1)
-        x, y = mover.spots[away2.argmax()].tolist()
+        spot = _loneliest(mover.spots, crowd.position, mover.n_people)
+        x, y = mover.spots[spot].tolist()
         crowd.send(mover.body, (x, y), mover.now)
 
 
@@ -102,6 +102,20 @@ def _nearest_person(mover: Mover, crowd: Crowd) -> int:
     here = crowd.where[mover.body]
     away = [math.dist(person, here) for person in crowd.where[: mover.n_people]]
     return away.index(min(away))
+
+
+@compiled
+def _loneliest(spots: Floats, position: Floats, n_people: int) -> int:
+    """Index of the spot that is farthest from the person nearest to it."""
+    loneliest, most = 0, -1.0
+    for k in range(len(spots)):
+        away = np.inf
+        for i in range(n_people):
+            dx, dy = spots[k, 0] - position[i, 0], spots[k, 1] - position[i, 1]
+            away = min(away, dx * dx + dy * dy)
+        if away > most:
+            loneliest, most = k, away
+    return loneliest
 
 
 MOTIONS: dict[Motion, Callable[[Mover, Crowd], None]] = {
