@@ -33,7 +33,7 @@ def episode(random_actions):
                 causes,
                 env.state(),
                 env.life.crowd.position,
-                env.life.crowd.gaze,
+                env.life.crowd.gaze.copy(),
             )
             if not env.agents:
                 return
