@@ -100,6 +100,16 @@ class Life:
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
         self._noise = Draws(self._streams.faces, MOST_PEOPLE, "normal")
+        self._movers = [
+            Mover(
+                body=self._n_people + robot,
+                n_people=self._n_people,
+                spots=self.people.places.centers,
+                rng=rng,
+                period=self._scenario.decision_period,
+            )
+            for robot, rng in enumerate(self._streams.robots)
+        ]
         self.robots.begin()
         self.senses.forget()
         people = self.people.begin(self._streams.people)
@@ -140,15 +150,8 @@ class Life:
             if self.robots.is_over(robot, now):
                 self.crowd.halt(n_people + robot)
                 continue
-            mover = Mover(
-                body=n_people + robot,
-                n_people=n_people,
-                begins=bout.decision == self.decision,
-                spots=self.people.places.centers,
-                rng=self._streams.robots[robot],
-                now=now,
-                period=self._scenario.decision_period,
-            )
+            mover = self._movers[robot]
+            mover.begins, mover.now = bout.decision == self.decision, now
             self._motions[bout.behavior](mover, self.crowd)
 
     def _walk_and_touch(self) -> None:
@@ -158,9 +161,9 @@ class Life:
         while moment < self._moments:
             left = self._moments - moment
             moment += self.crowd.advance(left, self.people.quarry, REACH)
-            now = self.time + moment * self._scenario.steering_period
-            for i, wish in self.people.wishes():
+            for i, wish in self.people.wishes:
                 if self.people.reaches(i, wish, self.crowd, self.senses):
+                    now = self.time + moment * self._scenario.steering_period
                     self._touch(i, wish, now)
 
     def _touch(self, i: int, wish: Wish, now: float) -> None:

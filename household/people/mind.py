@@ -56,8 +56,11 @@ class Judgements(NamedTuple):
     attending: Mask
 
 
-class Percepts(NamedTuple):
+@dataclass(slots=True)
+class Percepts:
     """What everybody perceives at the end of a decision period.
+
+    For reading, and only until the minds have decided: later it holds other values.
 
     Attributes:
         time: Now [s].

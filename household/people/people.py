@@ -84,12 +84,13 @@ class People:
         self._judged = np.full((n, n_robots), -1, np.intp)
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
-        self._goals = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity = np.full(n, int(Activity.UNKNOWN))
         self.touched = np.zeros(n, np.bool_)
         self.quarry = np.full(n, NOBODY, np.intp)
+        self._wishes: list[tuple[int, Wish]] = []
+        self._percepts: Percepts | None = None
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
         """Begins a new episode.
@@ -106,6 +107,7 @@ class People:
         self._judged[:] = -1
         self._claimed = [NOWHERE] * len(self.everyone)
         self.quarry[:] = NOBODY
+        self._wishes, self._percepts = [], None
         self.intentions = self._minds.reset(rngs)
         self._claim_places()
         position = np.zeros((len(self.everyone), 2))
@@ -187,40 +189,47 @@ class People:
             now: [s].
         """
         before = self.intentions.wishes
-        percepts = self._percepts(crowd, senses, robots, now)
-        self.intentions = self._minds.decide(percepts)
+        self.intentions = self._minds.decide(
+            self._perceived(crowd, senses, robots, now)
+        )
         self.touched[:] = False
         self._claim_places()
         wishes = self.intentions.wishes
-        if wishes is not before:
-            n = len(wishes)
-            self.quarry[:] = [NOBODY if w is None else n + w.robot for w in wishes]
+        if wishes is before:
+            self._set_out(crowd, senses, now)
+            return
+        self._wishes = [(i, wish) for i, wish in enumerate(wishes) if wish]
+        n = len(wishes)
+        self.quarry[:] = [n + wish.robot if wish else NOBODY for wish in wishes]
         self._set_out(crowd, senses, now)
-        if wishes is not before:
-            for i, (new, old) in enumerate(zip(wishes, before, strict=True)):
-                on_its_way = new is not old and crowd.walks(i)
-                if on_its_way and not self._is_at_hand(i, crowd, senses):
-                    # Who was on its way elsewhere is so no longer.
-                    crowd.walk_began[i] = now
+        for i, (new, old) in enumerate(zip(wishes, before, strict=True)):
+            on_its_way = new is not old and crowd.walks(i)
+            if on_its_way and not self._is_at_hand(i, crowd, senses):
+                # Who was on its way elsewhere is so no longer.
+                crowd.walk_began[i] = now
 
-    def _percepts(
+    def _perceived(
         self, crowd: Crowd, senses: Senses, robots: Robots, now: float
     ) -> Percepts:
+        """What everybody perceives; made once, as its arrays stay the same."""
         crowd.arrived(self._spots, self._arrived)
-        return Percepts(
-            time=now,
-            period=self._period,
-            activity=self.activity,
-            arrived=self._arrived,
-            touched=self.touched,
-            mood=self.feelings.mood,
-            judgements=self._judgements,
-            pleasing=self._pleasing,
-            moving=crowd.walking[len(self.everyone) :],
-            sees=senses.sees,
-            level=senses.level,
-            cause=robots.cause,
-        )
+        if self._percepts is None:
+            self._percepts = Percepts(
+                time=now,
+                period=self._period,
+                activity=self.activity,
+                arrived=self._arrived,
+                touched=self.touched,
+                mood=self.feelings.mood,
+                judgements=self._judgements,
+                pleasing=self._pleasing,
+                moving=crowd.walking[len(self.everyone) :],
+                sees=senses.sees,
+                level=senses.level,
+                cause=robots.cause,
+            )
+        self._percepts.time = now
+        return self._percepts
 
     def _claim_places(self) -> None:
         """Who intends to be elsewhere gets a spot there."""
@@ -232,15 +241,16 @@ class People:
                 self._spots[i] = self.places.claim(i, place)
         self._claimed = intended
 
+    @property
     def wishes(self) -> list[tuple[int, Wish]]:
         """The touches that people are out to give, with the index of the person."""
-        wishes = enumerate(self.intentions.wishes)
-        return [(i, wish) for i, wish in wishes if wish and not self.touched[i]]
+        return self._wishes
 
     def has_touched(self, i: int) -> None:
-        """A person's wish is fulfilled."""
+        """A person's wish is fulfilled; its mind hears of it when it next decides."""
         self.touched[i] = True
         self.quarry[i] = NOBODY
+        self._wishes = [wish for wish in self._wishes if wish[0] != i]
 
     def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person's hand can touch the robot from where it stands."""
@@ -256,10 +266,11 @@ class People:
 
     def _set_out(self, crowd: Crowd, senses: Senses, now: float) -> None:
         """Everybody walks to where it wants to be, unless on the way or there."""
-        goals, n = self._goals, len(self.everyone)
-        goals[:] = self._spots
-        for i, wish in self.wishes():
-            goals[i] = crowd.where[n + wish.robot]
+        goals, n = self._spots, len(self.everyone)
+        if self._wishes:
+            goals = goals.copy()
+            for i, wish in self._wishes:
+                goals[i] = crowd.where[n + wish.robot]
         for i in crowd.astray(goals):
             if not self._is_at_hand(i, crowd, senses):
                 x, y = goals[i].tolist()

@@ -248,11 +248,15 @@ def perceive(
     salience: Array,
     absorption: Array,
     source: Array,
+    now: float,
+    walls: Array,
+    tall: Array,
+    wall_loss: float,
     focus: float,
     distance: float,
     above: float,
     below: float,
-    now: float,
+    before: Array,
     hidden: NDArray[np.int64],
     loss: Array,
     sees: Mask,
@@ -264,8 +268,9 @@ def perceive(
 ) -> None:
     """All that everybody perceives at a moment; `Senses` says what is what.
 
-    From ``sees`` on all is filled in; of the last two, what was before counts.
+    From ``before`` on all is brought up to date in place.
     """
+    separate(before, position, walls, tall, wall_loss, hidden, loss)
     sees[:], angle[:] = sight(position, gaze, half_view, hidden)
     share[:] = attention(position, sees, angle, salience, absorption, focus, distance)
     attends[:], began[:] = attend(share, attends, began, above, below, now)

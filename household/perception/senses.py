@@ -72,15 +72,6 @@ class Senses:
             source: Sound level of each at 1 m, shape (n,) [dB].
             now: [s].
         """
-        kernel.separate(
-            self._position,
-            position,
-            self._walls,
-            self._tall,
-            self._model.wall_loss,
-            self._hidden,
-            self.loss,
-        )
         kernel.perceive(
             position,
             gaze,
@@ -88,11 +79,15 @@ class Senses:
             salience,
             absorption,
             source,
+            now,
+            self._walls,
+            self._tall,
+            self._model.wall_loss,
             self._focus,
             self._model.distance,
             self._model.attend_above,
             self._model.attend_below,
-            now,
+            self._position,
             self._hidden,
             self.loss,
             self.sees,

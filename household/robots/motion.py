@@ -6,7 +6,7 @@ somewhere or turn it. It is called once in each decision period.
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -25,26 +25,27 @@ STROLL = 2.0
 """How far a wandering robot goes at a stretch, at most [m]."""
 
 
-class Mover(NamedTuple):
-    """A robot about to move; a tuple, for it is made anew in each step.
+@dataclass(slots=True)
+class Mover:
+    """A robot that moves.
 
     Attributes:
         body: Index of its body in the crowd; people come before robots.
         n_people: How many people there are.
-        begins: Whether the behavior has just been begun.
         spots: Middles of the activity regions, shape (n_regions, 2) [m].
         rng: The robot's own random stream.
+        period: Between two calls [s].
+        begins: Whether the behavior has just been begun.
         now: [s].
-        period: Until the next call [s].
     """
 
     body: int
     n_people: int
-    begins: bool
     spots: Floats
     rng: np.random.Generator
-    now: float
     period: float
+    begins: bool = False
+    now: float = 0.0
 
 
 def still(mover: Mover, crowd: Crowd) -> None:

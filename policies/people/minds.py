@@ -57,7 +57,8 @@ class EverydayMinds(Minds):
         self._awake = np.zeros(n)
         self._look = self._doings.look.copy()
         self._eyes_open = np.ones(n, np.bool_)
-        return self._intentions()
+        self._intentions = self._intended()
+        return self._intentions
 
     def decide(self, percepts: Percepts) -> Intentions:
         """Goes on with what they do, unless there is a robot to caress or to tap."""
@@ -78,9 +79,12 @@ class EverydayMinds(Minds):
             percepts.period,
             self._traits,
         )
-        return self._intentions()
+        if self._giving.wishes is not self._intentions.wishes:
+            self._intentions = self._intended()
+        return self._intentions
 
-    def _intentions(self) -> Intentions:
+    def _intended(self) -> Intentions:
+        """The same arrays as before, with the wishes of now."""
         return Intentions(
             self._doings.place, self._look, self._eyes_open, self._giving.wishes
         )
