@@ -65,42 +65,42 @@ def _in_reach(position: Array, viewer: int, j: int, axis: int) -> float:
 
 
 @compiled
-def _tell_of_itself(row: Row, at: np.record, view: View, robot: int) -> None:
+def _tell_of_itself(row: Row, at: np.void, view: View, robot: int) -> None:
     """Writes the fields of the slot "self"."""
     if view.behavior[robot] >= 0:
-        row[at.own_behavior + view.behavior[robot]] = 1.0
-    row[at.own_time_left] = view.left[robot]
-    row[at.own_touches] = view.touches[robot, 0]
-    row[at.own_touches + 1] = view.touches[robot, 1]
+        row[at["own_behavior"] + view.behavior[robot]] = 1.0
+    row[at["own_time_left"]] = view.left[robot]
+    row[at["own_touches"]] = view.touches[robot, 0]
+    row[at["own_touches"] + 1] = view.touches[robot, 1]
 
 
 @compiled
-def _tell_of_person(row: Row, at: np.record, view: View, robot: int, i: int) -> None:
+def _tell_of_person(row: Row, at: np.void, view: View, robot: int, i: int) -> None:
     """Writes the fields of the slot of a person."""
     me = len(view.activity) + robot
-    row[at.person_here + i] = 1.0
-    row[at.person_offset + 2 * i] = _in_reach(view.position, me, i, 0)
-    row[at.person_offset + 2 * i + 1] = _in_reach(view.position, me, i, 1)
-    row[at.person_activity + N_ROLES * i + view.activity[i]] = 1.0
-    row[at.person_walks + i] = view.walking[i]
-    row[at.person_attends + i] = view.attends[i, me]
-    row[at.person_attention + i] = view.attention[i, me]
-    row[at.person_faces + i] = math.cos(view.angle[i, me])
-    row[at.person_mood + i] = view.mood[robot, i]
+    row[at["person_here"] + i] = 1.0
+    row[at["person_offset"] + 2 * i] = _in_reach(view.position, me, i, 0)
+    row[at["person_offset"] + 2 * i + 1] = _in_reach(view.position, me, i, 1)
+    row[at["person_activity"] + N_ROLES * i + view.activity[i]] = 1.0
+    row[at["person_walks"] + i] = view.walking[i]
+    row[at["person_attends"] + i] = view.attends[i, me]
+    row[at["person_attention"] + i] = view.attention[i, me]
+    row[at["person_faces"] + i] = math.cos(view.angle[i, me])
+    row[at["person_mood"] + i] = view.mood[robot, i]
 
 
 @compiled
 def _tell_of_robot(
-    row: Row, at: np.record, view: View, robot: int, slot: int, n_behaviors: int
+    row: Row, at: np.void, view: View, robot: int, slot: int, n_behaviors: int
 ) -> None:
     """Writes the fields of the slot of another robot."""
     other = slot if slot < robot else slot + 1
     me, it = len(view.activity) + robot, len(view.activity) + other
-    row[at.robot_here + slot] = 1.0
-    row[at.robot_offset + 2 * slot] = _in_reach(view.position, me, it, 0)
-    row[at.robot_offset + 2 * slot + 1] = _in_reach(view.position, me, it, 1)
+    row[at["robot_here"] + slot] = 1.0
+    row[at["robot_offset"] + 2 * slot] = _in_reach(view.position, me, it, 0)
+    row[at["robot_offset"] + 2 * slot + 1] = _in_reach(view.position, me, it, 1)
     if view.behavior[other] >= 0:
-        row[at.robot_behavior + n_behaviors * slot + view.behavior[other]] = 1.0
+        row[at["robot_behavior"] + n_behaviors * slot + view.behavior[other]] = 1.0
 
 
 @compiled

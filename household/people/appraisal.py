@@ -87,7 +87,7 @@ def appraise(
     n_people, n_robots = value.shape
     for i in range(n_people):
         loudest = level[i, n_people:].argmax()
-        hears_from = 0.0 if eyes_open[i] else traits[i].wakes_at
+        hears_from = 0.0 if eyes_open[i] else traits[i]["wakes_at"]
         for r in range(n_robots):
             j = n_people + r
             value[i, r] = 0.0

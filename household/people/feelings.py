@@ -72,7 +72,7 @@ def _live_through(
     for i in range(len(mood)):
         for r in range(new.shape[1]):
             if new[i, r]:
-                mood[i] = moved_mood(mood[i], value[i, r], traits[i].mood_change)
+                mood[i] = moved_mood(mood[i], value[i, r], traits[i]["mood_change"])
                 if value[i, r] > 0.0:
                     pleased[i, believed[i, r]] += value[i, r]
                 else:

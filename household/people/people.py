@@ -297,7 +297,7 @@ class People:
 @compiled
 def _open_eyes(half_view: Floats, eyes_open: Mask, traits: Traits) -> None:
     for i in range(len(eyes_open)):
-        half = math.radians(traits[i].field_of_view / 2)
+        half = math.radians(traits[i]["field_of_view"] / 2)
         half_view[i] = half if eyes_open[i] else -1.0
 
 

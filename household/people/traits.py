@@ -1,15 +1,15 @@
 """The constants of personas as a table, for compiled loops over people."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from household.people.persona import Persona
 
-Traits = Any
+Traits = NDArray[np.void]
 """A structured array with a row for each person; rows have a persona's constants under
-their own names, as in ``traits[i].praise``. Numba knows its type, type checkers not."""
+their own names, as in ``traits[i]["praise"]``."""
 
 KINDS = {float: np.float64, bool: np.bool_}
 

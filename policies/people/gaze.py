@@ -69,13 +69,13 @@ def _look_around(
         left[i] -= period
         moves, startles, where, dwell = draws[i]
         robot, strength = _most_striking(level[i], sees[i], moving)
-        if startles < traits[i].reflex * strength:
+        if startles < traits[i]["reflex"] * strength:
             look[i] = robot
         elif left[i] <= 0.0:
             look[i] = _drawn(i, len(look), len(moving), moves, where, traits)
         else:
             continue
-        left[i] = -math.log(1.0 - dwell) * traits[i].gaze_dwell
+        left[i] = -math.log(1.0 - dwell) * traits[i]["gaze_dwell"]
 
 
 @compiled
@@ -106,7 +106,7 @@ def _drawn(
     traits: Traits,
 ) -> int:
     """What somebody looks at next, by its interests."""
-    robots, people = traits[myself].robot_interest, traits[myself].people_interest
+    robots, people = traits[myself]["robot_interest"], traits[myself]["people_interest"]
     if moves < robots:
         return n_people + int(where * n_robots)
     if moves < robots + people and n_people > 1:

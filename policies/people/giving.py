@@ -134,10 +134,12 @@ def _consider(
     for i in range(len(state)):
         mine, persona = state[i], traits[i]
         _recover(freshness[i], pleasing[i], period, persona)
-        mine.about = NOBODY
-        mine.waited += period
-        if mine.robot != NOBODY and (touched[i] or mine.waited > persona.patience):
-            mine.robot = NOBODY
+        mine["about"] = NOBODY
+        mine["waited"] += period
+        if mine["robot"] != NOBODY and (
+            touched[i] or mine["waited"] > persona["patience"]
+        ):
+            mine["robot"] = NOBODY
             changed = True
         judged = 0
         for r in range(new.shape[1]):
@@ -149,40 +151,40 @@ def _consider(
             ready = chance < _readiness(liked, mood[i], freshness[i, robot], persona)
             freshness[i, robot] = _used_to(freshness[i, robot], liked, persona)
             calls = calls_for_feedback(liked, attending[i, r], persona)
-            if ready and calls and mine.robot == NOBODY:
-                mine.robot, mine.about, mine.waited = robot, r, 0.0
-                mine.praise = (liked > 0.0) != (slip < persona.mistakes)
+            if ready and calls and mine["robot"] == NOBODY:
+                mine["robot"], mine["about"], mine["waited"] = robot, r, 0.0
+                mine["praise"] = (liked > 0.0) != (slip < persona["mistakes"])
                 changed = True
     return changed
 
 
 @compiled
-def _recover(fresh: Floats, pleasing: Mask, period: float, persona: Traits) -> None:
+def _recover(fresh: Floats, pleasing: Mask, period: float, persona: np.void) -> None:
     """Robots that do nothing that pleases become welcome again."""
-    recovered = 1.0 - math.exp(-period / persona.recovery)
+    recovered = 1.0 - math.exp(-period / persona["recovery"])
     for robot in range(len(fresh)):
         if not pleasing[robot]:
             fresh[robot] += recovered * (1.0 - fresh[robot])
 
 
 @compiled
-def _readiness(value: float, mood: float, fresh: float, persona: Traits) -> float:
+def _readiness(value: float, mood: float, fresh: float, persona: np.void) -> float:
     """Chance that a person reacts to a bout that it appraised."""
     if value > 0.0:
-        return persona.praise * value * fresh
-    return persona.sanction * -value * (1.0 - persona.irritability * mood)
+        return persona["praise"] * value * fresh
+    return persona["sanction"] * -value * (1.0 - persona["irritability"] * mood)
 
 
 @compiled
-def _used_to(fresh: float, value: float, persona: Traits) -> float:
+def _used_to(fresh: float, value: float, persona: np.void) -> float:
     """Politeness becomes what is expected; a fault makes it welcome again."""
     if value > 0.0:
-        return fresh * (1.0 - persona.habituation * value)
-    return fresh + persona.contrast * -value * (1.0 - fresh)
+        return fresh * (1.0 - persona["habituation"] * value)
+    return fresh + persona["contrast"] * -value * (1.0 - fresh)
 
 
 @compiled
-def calls_for_feedback(value: float, attending: bool, persona: Traits) -> bool:
+def calls_for_feedback(value: float, attending: bool, persona: np.void) -> bool:
     """Whether a bout is one that such a person reacts to at all.
 
     Args:
@@ -190,5 +192,5 @@ def calls_for_feedback(value: float, attending: bool, persona: Traits) -> bool:
         attending: Whether it attended to what did it.
         persona: Its row of the traits.
     """
-    missed = persona.only_when_attending and not attending
-    return not (abs(value) < persona.tolerance or missed)
+    missed = persona["only_when_attending"] and not attending
+    return not (abs(value) < persona["tolerance"] or missed)

@@ -129,8 +129,8 @@ def _look_and_sleep(
             continue
         look[i] = habit[i] if told[i] == OWN_ACTIVITY else told[i]
         awake[i] -= period
-        if level[i, n:].max() >= traits[i].wakes_at:
-            awake[i] = traits[i].awake_for
+        if level[i, n:].max() >= traits[i]["wakes_at"]:
+            awake[i] = traits[i]["awake_for"]
         in_bed = arrived[i] and activity[i] == SLEEPING
         eyes_open[i] = not (in_bed and awake[i] <= 0.0)
 
