@@ -161,10 +161,9 @@ class Life:
         while moment < self._moments:
             left = self._moments - moment
             moment += self.crowd.advance(left, self.people.quarry, REACH)
-            for i, wish in self.people.wishes:
-                if self.people.reaches(i, wish, self.crowd, self.senses):
-                    now = self.time + moment * self._scenario.steering_period
-                    self._touch(i, wish, now)
+            now = self.time + moment * self._scenario.steering_period
+            for i, wish in self.people.wishes_at_hand(self.crowd, self.senses):
+                self._touch(i, wish, now)
 
     def _touch(self, i: int, wish: Wish, now: float) -> None:
         """A person touches a robot, which feels it and sees who it was."""
@@ -215,7 +214,7 @@ class Life:
         senses, robots = self.senses, self.robots
         return View(
             position=self.crowd.position,
-            angle=senses.angle,
+            facing=senses.facing,
             attends=senses.attends,
             attention=senses.attention,
             walking=self.crowd.walking,

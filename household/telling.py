@@ -4,7 +4,6 @@ Compiled with Numba, as it happens at every step, and NumPy, field by field, tak
 many times as long.
 """
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,7 +32,8 @@ class View(NamedTuple):
 
     Attributes:
         position: Where everybody is, shape (n, 2) [m].
-        angle: Between the gaze of i and the direction to j, shape (n, n) [rad].
+        facing: Cosine of the angle between the gaze of i and the direction to j,
+            shape (n, n).
         attends: Who attends to whom, shape (n, n).
         attention: How much, shape (n, n).
         walking: Who is on its way, shape (n,).
@@ -46,7 +46,7 @@ class View(NamedTuple):
     """
 
     position: Array
-    angle: Array
+    facing: Array
     attends: Mask
     attention: Array
     walking: Mask
@@ -85,7 +85,7 @@ def _tell_of_person(row: Row, at: np.void, view: View, robot: int, i: int) -> No
     row[at["person_walks"] + i] = view.walking[i]
     row[at["person_attends"] + i] = view.attends[i, me]
     row[at["person_attention"] + i] = view.attention[i, me]
-    row[at["person_faces"] + i] = math.cos(view.angle[i, me])
+    row[at["person_faces"] + i] = view.facing[i, me]
     row[at["person_mood"] + i] = view.mood[robot, i]
 
 

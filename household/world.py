@@ -106,6 +106,12 @@ class World:
             self.space, BodyFields.POSITION, self._place_buffer
         )
 
+    def _write(self) -> None:
+        """Tells the engine where every body is."""
+        pymunk.batch.set_space_bodies(
+            self.space, BodyFields.POSITION, self._place_buffer
+        )
+
     def advance(self, position: Array, tick: float, ticks: int) -> Array:
         """Moves every body for some ticks.
 
@@ -120,9 +126,7 @@ class World:
         if position is not self._position:
             # Bodies have moved without the engine since it was last asked.
             self._place[:] = position
-            pymunk.batch.set_space_bodies(
-                self.space, BodyFields.POSITION, self._place_buffer
-            )
+            self._write()
         pymunk.batch.set_space_bodies(
             self.space, BodyFields.VELOCITY, self._velocity_buffer
         )
@@ -138,7 +142,6 @@ class World:
             self.boxes,
             self._sunk,
         ):
-            for i in np.flatnonzero(self._sunk).tolist():
-                self._bodies[i].position = self._place[i].tolist()
+            self._write()
         self._position = self._place.copy()
         return self._position

@@ -120,10 +120,6 @@ class Routes:
         return self.free & (self.parts != self.parts[0, 0])
 
     @cached_property
-    def _indoor_centers(self) -> Array:
-        return self._origin + (np.argwhere(self._indoors) + 0.5) * CELL
-
-    @cached_property
     def _untrodden(self) -> NDArray[np.int32]:
         """Of the cells, for `onward_to`."""
         return np.where(self._indoors, FAR, CLOSED).astype(np.int32)
@@ -144,9 +140,7 @@ class Routes:
             Points [m] to walk to one after the other, the last one nearest to the
             goal. Empty if no way leads there.
         """
-        first, last, end = ends_of(
-            self.free, self.parts, self._indoor_centers, self._corner, start, goal
-        )
+        first, last, end = ends_of(self.free, self.parts, self._corner, start, goal)
         if first == last:
             return [end] if first != NOWHERE else []
         if len(before) > 1 and self._leads_on(before, end):

@@ -36,7 +36,7 @@ FAR, CLOSED = np.iinfo(np.int32).max, -1
 
 @compiled
 def ends_of(
-    free: Grid, parts: Cells, indoors: Array, corner: Point, start: Point, goal: Point
+    free: Grid, parts: Cells, corner: Point, start: Point, goal: Point
 ) -> tuple[int, int, Point]:
     """Where a walk begins and ends.
 
@@ -44,7 +44,6 @@ def ends_of(
         free: The grid, shape (width, height).
         parts: Label of the connected part of each cell, shape (width, height); the
             very first is outdoors.
-        indoors: Middles of the free cells indoors, shape (n, 2) [m].
         corner: Of the grid [m].
         start: Where it begins [m].
         goal: Where it should end [m]; where no body fits, it ends at the middle of
@@ -56,10 +55,10 @@ def ends_of(
     """
     a, b = cell_of(free, corner, start), cell_of(free, corner, goal)
     if not _is_indoors(free, parts, a):
-        a = cell_of(free, corner, _nearest(indoors, start))
+        a = _nearest(free, parts, corner, start)
     if not _is_indoors(free, parts, b):
-        goal = _nearest(indoors, goal)
-        b = cell_of(free, corner, goal)
+        b = _nearest(free, parts, corner, goal)
+        goal = corner[0] + (b[0] + 0.5) * CELL, corner[1] + (b[1] + 0.5) * CELL
     if parts[a] != parts[b]:
         return NOWHERE, NOWHERE, goal
     last = b[0] * free.shape[1] + b[1]
@@ -91,14 +90,25 @@ def _is_indoors(free: Grid, parts: Cells, cell: tuple[int, int]) -> bool:
 
 
 @compiled
-def _nearest(points: Array, point: Point) -> Point:
-    """The one of some points, shape (n, 2), that is nearest to another."""
-    best, least = 0, np.inf
-    for i in range(len(points)):
-        dx, dy = points[i, 0] - point[0], points[i, 1] - point[1]
-        if dx * dx + dy * dy < least:
-            best, least = i, dx * dx + dy * dy
-    return points[best, 0], points[best, 1]
+def _nearest(free: Grid, parts: Cells, corner: Point, point: Point) -> tuple[int, int]:
+    """The indoor cell whose middle is nearest to a point, the first of several.
+
+    Looks round the point in ever larger squares, until nothing outside can be nearer.
+    """
+    x, y = in_cells(corner, point)
+    a, b = cell_of(free, corner, point)
+    best, least = (a, b), np.inf
+    for ring in range(max(free.shape)):
+        if (ring - 1.0) ** 2 > least:
+            break
+        for i in range(max(a - ring, 0), min(a + ring + 1, free.shape[0])):
+            step = 1 if abs(i - a) == ring else max(2 * ring, 1)
+            for j in range(b - ring, b + ring + 1, step):
+                if 0 <= j < free.shape[1] and _is_indoors(free, parts, (i, j)):
+                    away = (i + 0.5 - x) ** 2 + (j + 0.5 - y) ** 2
+                    if away < least or (away == least and (i, j) < best):
+                        best, least = (i, j), away
+    return best
 
 
 @compiled

@@ -85,6 +85,7 @@ class People:
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
+        self._near = np.zeros(n, np.bool_)
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity = np.full(n, int(Activity.UNKNOWN))
         self.touched = np.zeros(n, np.bool_)
@@ -241,10 +242,16 @@ class People:
                 self._spots[i] = self.places.claim(i, place)
         self._claimed = intended
 
-    @property
-    def wishes(self) -> list[tuple[int, Wish]]:
-        """The touches that people are out to give, with the index of the person."""
-        return self._wishes
+    def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
+        """The touches that people can give from where they stand, and who can."""
+        near = self._near
+        if not (self._wishes and _find_near(crowd.position, self.quarry, near)):
+            return []
+        return [
+            (i, wish)
+            for i, wish in self._wishes
+            if near[i] and self._reaches(i, wish, crowd, senses)
+        ]
 
     def has_touched(self, i: int) -> None:
         """A person's wish is fulfilled; its mind hears of it when it next decides."""
@@ -252,7 +259,7 @@ class People:
         self.quarry[i] = NOBODY
         self._wishes = [wish for wish in self._wishes if wish[0] != i]
 
-    def reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
+    def _reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person's hand can touch the robot from where it stands."""
         person = crowd.where[i]
         robot = crowd.where[len(self.everyone) + wish.robot]
@@ -262,7 +269,7 @@ class People:
     def _is_at_hand(self, i: int, crowd: Crowd, senses: Senses) -> bool:
         """Whether a person can touch what it is out to touch from where it stands."""
         wish = self.intentions.wishes[i]
-        return wish is not None and self.reaches(i, wish, crowd, senses)
+        return wish is not None and self._reaches(i, wish, crowd, senses)
 
     def _set_out(self, crowd: Crowd, senses: Senses, now: float) -> None:
         """Everybody walks to where it wants to be, unless on the way or there."""
@@ -292,6 +299,21 @@ class People:
             crowd.position,
             crowd.heading,
         )
+
+
+@compiled
+def _find_near(position: Floats, quarry: Indices, near: Mask) -> bool:
+    """Marks who is as ``near`` to what it is out to touch as its hand reaches.
+
+    Returns:
+        Whether anybody is.
+    """
+    for i in range(len(quarry)):
+        near[i] = False
+        if quarry[i] != NOBODY:
+            gap = position[i] - position[quarry[i]]
+            near[i] = np.hypot(gap[0], gap[1]) <= REACH
+    return bool(near.any())
 
 
 @compiled

@@ -44,21 +44,33 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
         Shape (n, n), symmetric.
     """
     n = position.shape[0]
-    count = np.zeros((n, n), np.int64)
+    count, columns = np.zeros((n, n), np.int64), np.ascontiguousarray(segments.T)
     for i in range(n):
         for j in range(i + 1, n):
-            count[i, j] = count[j, i] = _between(position, i, j, segments)
+            count[i, j] = count[j, i] = _between(position, i, j, columns)
     return count
 
 
 @compiled
-def _between(position: Array, i: int, j: int, segments: Array) -> int:
-    """How many segments stand between two entities."""
+def _between(position: Array, i: int, j: int, columns: Array) -> int:
+    """How many segments stand between two entities, as `crosses` has it.
+
+    Without a branch, and with each coordinate of all segments in a row of its own,
+    shape (4, m), the processor looks at several segments at once.
+    """
     ax, ay = position[i, 0], position[i, 1]
     bx, by = position[j, 0], position[j, 1]
+    dx, dy = bx - ax, by - ay
+    x1, y1, x2, y2 = columns[0], columns[1], columns[2], columns[3]
     count = 0
-    for k in range(len(segments)):
-        count += crosses(ax, ay, bx, by, segments[k])
+    for k in range(columns.shape[1]):
+        side1 = dx * (y1[k] - ay) - dy * (x1[k] - ax)
+        side2 = dx * (y2[k] - ay) - dy * (x2[k] - ax)
+        ex, ey = x2[k] - x1[k], y2[k] - y1[k]
+        side3 = ex * (ay - y1[k]) - ey * (ax - x1[k])
+        side4 = ex * (by - y1[k]) - ey * (bx - x1[k])
+        across = (side1 * side2 <= 0.0) & (side3 * side4 <= 0.0) & (side1 != side2)
+        count += 1 if across else 0
     return count
 
 
@@ -77,8 +89,9 @@ def separate(
     Args:
         before: Where everybody was when this was last done, shape (n, 2) [m].
         position: Where everybody is, shape (n, 2) [m].
-        walls: Segments that block sight and dampen sound, shape (m, 4) [m].
-        tall: Segments that block sight alone, shape (k, 4) [m].
+        walls: Segments that block sight and dampen sound, shape (4, m), columns of
+            x1, y1, x2, y2 [m].
+        tall: Segments that block sight alone, shape (4, k) [m].
         wall_loss: What one wall takes from a sound [dB].
         hidden: Opaque segments between each two, (n, n); changed in place.
         loss: As from `attenuation`, (n, n) [dB]; changed in place.
@@ -116,29 +129,30 @@ def sight(
     Returns:
         sees: ``sees[i, j]``: j is in the field of view of i and nothing opaque is
             between them; shape (n, n), False on the diagonal.
-        angle: Angle between the gaze of i and the direction to j, shape (n, n) [rad].
+        facing: Cosine of the angle between the gaze of i and the direction to j,
+            shape (n, n).
     """
     n = position.shape[0]
     sees = np.zeros((n, n), np.bool_)
-    angle = np.zeros((n, n))
+    facing = np.ones((n, n))
     for i in range(n):
+        ahead_x, ahead_y = np.cos(gaze[i]), np.sin(gaze[i])
+        least = np.cos(half_view[i]) if half_view[i] >= 0.0 else np.inf
         for j in range(n):
-            if i == j:
-                continue
-            direction = np.arctan2(
-                position[j, 1] - position[i, 1], position[j, 0] - position[i, 0]
-            )
-            off = abs(direction - gaze[i]) % (2.0 * np.pi)
-            angle[i, j] = min(off, 2.0 * np.pi - off)
-            sees[i, j] = angle[i, j] <= half_view[i] and hidden[i, j] == 0
-    return sees, angle
+            dx, dy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+            away = np.sqrt(dx * dx + dy * dy)
+            if away > 0.0:
+                cosine = (dx * ahead_x + dy * ahead_y) / away
+                facing[i, j] = min(max(cosine, -1.0), 1.0)
+            sees[i, j] = i != j and facing[i, j] >= least and hidden[i, j] == 0
+    return sees, facing
 
 
 @compiled
 def attention(
     position: Array,
     sees: Mask,
-    angle: Array,
+    facing: Array,
     salience: Array,
     absorption: Array,
     width: float,
@@ -155,7 +169,7 @@ def attention(
     Args:
         position: Shape (n, 2) [m].
         sees: Shape (n, n), from `sight`.
-        angle: Shape (n, n) [rad], from `sight`.
+        facing: Cosines of the angles, shape (n, n), from `sight`.
         salience: Mass m of each entity, shape (n,).
         absorption: a_i0, what the own activity holds back, shape (n,), above 0.
         width: Of the gaze's focus [rad].
@@ -173,7 +187,8 @@ def attention(
                 dx = position[j, 0] - position[i, 0]
                 dy = position[j, 1] - position[i, 1]
                 near = 1.0 + (dx * dx + dy * dy) / (distance * distance)
-                focus = np.exp(-(angle[i, j] ** 2) / (2.0 * width * width))
+                angle = np.arccos(facing[i, j])
+                focus = np.exp(-(angle**2) / (2.0 * width * width))
                 share[i, j] = salience[j] * focus / near
                 total += share[i, j]
         for j in range(n):
@@ -260,7 +275,7 @@ def perceive(
     hidden: NDArray[np.int64],
     loss: Array,
     sees: Mask,
-    angle: Array,
+    facing: Array,
     share: Array,
     level: Array,
     attends: Mask,
@@ -271,7 +286,7 @@ def perceive(
     From ``before`` on all is brought up to date in place.
     """
     separate(before, position, walls, tall, wall_loss, hidden, loss)
-    sees[:], angle[:] = sight(position, gaze, half_view, hidden)
-    share[:] = attention(position, sees, angle, salience, absorption, focus, distance)
+    sees[:], facing[:] = sight(position, gaze, half_view, hidden)
+    share[:] = attention(position, sees, facing, salience, absorption, focus, distance)
     attends[:], began[:] = attend(share, attends, began, above, below, now)
     level[:] = np.maximum(source - loss, 0.0)

@@ -19,7 +19,8 @@ class Senses:
 
     Attributes:
         sees: ``sees[i, j]``: i sees j, shape (n, n).
-        angle: Angle between the gaze of i and the direction to j, shape (n, n) [rad].
+        facing: Cosine of the angle between the gaze of i and the direction to j,
+            shape (n, n).
         attention: The attention matrix, shape (n, n); rows are observers and sum to
             less than 1.
         attends: ``attends[i, j]``: i attends to j, with hysteresis, shape (n, n).
@@ -29,9 +30,11 @@ class Senses:
     """
 
     def __init__(self, plan: FloorPlan, model: PerceptionModel, n: int) -> None:
-        self._walls = plan.wall_segments
         # Walls are opaque too: what hides is counted as walls and as tall furniture.
-        self._tall = plan.opaque_segments[len(self._walls) :]
+        opaque, walls = plan.opaque_segments, len(plan.wall_segments)
+        self._solid = opaque[:walls]
+        self._walls = np.ascontiguousarray(opaque[:walls].T)
+        self._tall = np.ascontiguousarray(opaque[walls:].T)
         self._model = model
         self._focus = np.deg2rad(model.focus)
         self._n = n
@@ -43,7 +46,7 @@ class Senses:
         self._position = np.full((n, 2), np.nan)
         self._hidden = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
-        self.angle = np.zeros((n, n))
+        self.facing = np.ones((n, n))
         self.attention = np.zeros((n, n))
         self.attends = np.zeros((n, n), dtype=np.bool_)
         self.attention_began = np.full((n, n), np.nan)
@@ -91,7 +94,7 @@ class Senses:
             self._hidden,
             self.loss,
             self.sees,
-            self.angle,
+            self.facing,
             self.attention,
             self.level,
             self.attends,
@@ -105,4 +108,4 @@ class Senses:
             one: [m].
             other: [m].
         """
-        return bool(kernel.crossings(np.array([one, other]), self._walls)[0, 1] == 0)
+        return bool(kernel.crossings(np.array([one, other]), self._solid)[0, 1] == 0)

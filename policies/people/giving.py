@@ -22,10 +22,11 @@ STATE = np.dtype(
         ("about", np.intp),
         ("praise", np.bool_),
         ("waited", np.float64),
+        ("changed", np.bool_),
     ]
 )
 """What a person is out to do: which robot to touch, or `NOBODY`; whose bout that is
-about, if the wish is new; whether it is to be a caress; for how long already [s]."""
+about; whether it is to be a caress; for how long already [s]; whether that is new."""
 
 
 class FeedbackGiving:
@@ -63,7 +64,7 @@ class FeedbackGiving:
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfils or drops wishes."""
         new, value, believed, attending = percepts.judgements
-        changed = _consider(
+        anything = _consider(
             self._state,
             self._freshness,
             percepts.touched,
@@ -77,16 +78,17 @@ class FeedbackGiving:
             self._draws.next(),
             self._traits,
         )
-        if changed:
-            self.wishes = [self._wish(i, percepts) for i in range(len(self._state))]
+        if anything:
+            changed = np.flatnonzero(self._state["changed"]).tolist()
+            self.wishes = self.wishes.copy()
+            for i in changed:
+                self.wishes[i] = self._wish(i, percepts)
 
     def _wish(self, i: int, percepts: Percepts) -> Wish | None:
-        """What a person is out to do: the same as before, unless that has changed."""
-        robot, about, praise, _ = self._state[i].item()
+        """What a person is out to do from now on."""
+        robot, about, praise, *_ = self._state[i].item()
         if robot == NOBODY:
             return None
-        if about == NOBODY:
-            return self.wishes[i]
         return Wish(
             robot=robot,
             kind="caress" if praise else "tap",
@@ -130,17 +132,16 @@ def _consider(
     Returns:
         Whether anybody is out to do something else than before.
     """
-    changed = False
+    anything = False
     for i in range(len(state)):
         mine, persona = state[i], traits[i]
         _recover(freshness[i], pleasing[i], period, persona)
-        mine["about"] = NOBODY
+        mine["changed"] = False
         mine["waited"] += period
         if mine["robot"] != NOBODY and (
             touched[i] or mine["waited"] > persona["patience"]
         ):
-            mine["robot"] = NOBODY
-            changed = True
+            mine["robot"], mine["changed"] = NOBODY, True
         judged = 0
         for r in range(new.shape[1]):
             if not new[i, r]:
@@ -154,8 +155,9 @@ def _consider(
             if ready and calls and mine["robot"] == NOBODY:
                 mine["robot"], mine["about"], mine["waited"] = robot, r, 0.0
                 mine["praise"] = (liked > 0.0) != (slip < persona["mistakes"])
-                changed = True
-    return changed
+                mine["changed"] = True
+        anything |= mine["changed"]
+    return anything
 
 
 @compiled

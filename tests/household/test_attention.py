@@ -171,9 +171,9 @@ def test_rows_of_the_attention_matrix_sum_below_one(entities):
     position = np.ascontiguousarray(table[:, :2])
     hidden = np.zeros((len(table), len(table)), dtype=np.int64)
     half_view = np.full(len(table), math.pi)
-    sees, angle = kernel.sight(position, table[:, 2].copy(), half_view, hidden)
+    sees, facing = kernel.sight(position, table[:, 2].copy(), half_view, hidden)
     share = kernel.attention(
-        position, sees, angle, table[:, 3].copy(), table[:, 4].copy(), 0.5, 3.0
+        position, sees, facing, table[:, 3].copy(), table[:, 4].copy(), 0.5, 3.0
     )
     assert (share >= 0.0).all()
     assert (share.sum(axis=1) < 1.0).all()

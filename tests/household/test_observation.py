@@ -69,7 +69,7 @@ def random_view(rng, n_people=3, n_robots=3):
     n = n_people + n_robots
     return View(
         position=rng.uniform(-8.0, 8.0, (n, 2)),
-        angle=rng.uniform(0.0, np.pi, (n, n)),
+        facing=rng.uniform(-1.0, 1.0, (n, n)),
         attends=rng.random((n, n)) < 0.5,
         attention=rng.random((n, n)),
         walking=rng.random(n) < 0.5,
@@ -98,7 +98,7 @@ def expected(view, robot):
         "person_walks": view.walking[:n],
         "person_attends": view.attends[:n, me],
         "person_attention": view.attention[:n, me],
-        "person_faces": np.cos(view.angle[:n, me]),
+        "person_faces": view.facing[:n, me],
         "person_mood": view.mood[robot],
         "robot_here": np.ones(2),
         "robot_offset": offset[[n + j for j in others]],
