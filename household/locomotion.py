@@ -78,6 +78,8 @@ def steer(
                 continue
             ox = position[j, 0] - position[i, 0]
             oy = position[j, 1] - position[i, 1]
+            if max(abs(ox), abs(oy)) > COMFORT + radius[i] + radius[j]:
+                continue  # spares most pairs the root
             gap = np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
             if 0.0 < ox * dx + oy * dy < away and gap < COMFORT:
                 turn = max(turn, 1.0 - max(gap, 0.0) / COMFORT)

@@ -7,6 +7,7 @@ in a crowd that can be a hand's breadth. This sets it right after the engine's t
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import Indices
 from household.compiled import compiled
 from household.perception.kernel import crosses
 
@@ -15,6 +16,9 @@ Point = tuple[float, float]
 
 ROUNDS = 3
 """How often a body is pushed out: a corner pushes it from one side to the other."""
+
+PUSHED = 0.5
+"""How far walls push a body at most [m]: only what is closer is looked at."""
 
 WEDGED = 0.005
 """Who still overlaps by more after that [m] was pressed to where it does not fit."""
@@ -53,17 +57,18 @@ def keep_out(
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
         if a == b or _is_clear(a, b, radius[i], thickness, boxes):
             continue
-        if _goes_through(a, b, segments, boxes):
+        close = _close_to(a, b, radius[i] + PUSHED, thickness, boxes)
+        if _goes_through(a, b, segments, close):
             b, moved[i] = a, True
         for _ in range(ROUNDS):
-            pushed = _pushed_out(b, radius[i], segments, thickness, boxes)
+            pushed = _pushed_out(b, radius[i], segments, thickness, close)
             if pushed == b:
                 break
             b, moved[i] = pushed, True
         # A push may lead into a gap too narrow, or through the other side of it.
         if moved[i] and (
-            _goes_through(a, b, segments, boxes)
-            or not _fits(b, radius[i], segments, thickness, boxes)
+            _goes_through(a, b, segments, close)
+            or not _fits(b, radius[i], segments, thickness, close)
         ):
             b = a
         after[i, 0], after[i, 1] = b
@@ -143,25 +148,36 @@ def _away(point: Point, one: Point, other: Point) -> float:
 
 
 @compiled
-def _goes_through(a: Point, b: Point, segments: Array, boxes: Array) -> bool:
-    """Whether the way from a to b crosses a segment."""
+def _close_to(
+    a: Point, b: Point, reach: float, thickness: Array, boxes: Array
+) -> Indices:
+    """The segments whose boxes are within reach of the way from a to b."""
     box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
-    for k in range(len(segments)):
-        if _near(box, 0.0, boxes, k) and crosses(*a, *b, segments[k]):
-            return True
-    return False
+    close, count = np.empty(len(thickness), np.intp), 0
+    for k in range(len(thickness)):
+        if _near(box, reach + thickness[k], boxes, k):
+            close[count] = k
+            count += 1
+    return close[:count]
+
+
+@compiled
+def _goes_through(a: Point, b: Point, segments: Array, close: Indices) -> bool:
+    """Whether the way from a to b crosses one of the segments that are close."""
+    crossed = False
+    for k in close:
+        crossed |= crosses(*a, *b, segments[k])
+    return crossed
 
 
 @compiled
 def _pushed_out(
-    b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
+    b: Point, radius: float, segments: Array, thickness: Array, close: Indices
 ) -> Point:
     """Where a body comes to be that is pushed out of one segment after the other."""
     x, y = b
-    for k in range(len(segments)):
+    for k in close:
         least = radius + thickness[k]
-        if not _near((x, y, x, y), least, boxes, k):
-            continue
         gx, gy = _offset((x, y), segments, k)
         gap = np.sqrt(gx * gx + gy * gy)
         if 1e-9 < gap < least:
@@ -172,15 +188,13 @@ def _pushed_out(
 
 @compiled
 def _fits(
-    b: Point, radius: float, segments: Array, thickness: Array, boxes: Array
+    b: Point, radius: float, segments: Array, thickness: Array, close: Indices
 ) -> bool:
     """Whether a body overlaps no segment, but for a little."""
-    for k in range(len(segments)):
-        least = radius + thickness[k] - WEDGED
-        if _near((b[0], b[1], b[0], b[1]), least, boxes, k):
-            gx, gy = _offset(b, segments, k)
-            if np.sqrt(gx * gx + gy * gy) < least:
-                return False
+    for k in close:
+        gx, gy = _offset(b, segments, k)
+        if np.sqrt(gx * gx + gy * gy) < radius + thickness[k] - WEDGED:
+            return False
     return True
 
 
