@@ -92,3 +92,13 @@ class Stepping:
     def __call__(self) -> None:
         """Makes a step."""
         self.env.step(next(self._actions))
+
+
+@dataclass
+class PatientStepping(Stepping):
+    """Steps a household in which robots finish what they do, as those who learn do."""
+
+    def __call__(self) -> None:
+        """Makes a step; whose behavior is over gets another one."""
+        drawn, over = next(self._actions), self.env.behavior_over
+        self.env.step({agent: drawn[agent] for agent in drawn if over(agent)})

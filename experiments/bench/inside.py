@@ -11,7 +11,7 @@ from itertools import cycle
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from experiments.bench.homes import BEINGS, Stepping, evening
+from experiments.bench.homes import BEINGS, PatientStepping, Stepping, evening
 from experiments.bench.measure import Measure, Settings, microseconds, ratios
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def physics(settings: Settings) -> Iterator[Measure]:
     env, spent = evening(), list[float]()
     walk = _walk(evening())
     with _timed(env.life.crowd.space, "step", spent):
-        step, rounds = Stepping(env), list[tuple[float, float, float]]()
+        step, rounds = PatientStepping(env), list[tuple[float, float, float]]()
         for _ in range(settings.repetitions):
             spent.clear()
             begin = time.process_time()
@@ -101,7 +101,7 @@ def parts(settings: Settings) -> Iterator[Measure]:
             owner, _, method = path.rpartition(".")
             part_of = attrgetter(owner)(env) if owner else env
             timers.enter_context(_timed(part_of, method, spent[name]))
-        step = Stepping(env)
+        step = PatientStepping(env)
         rounds = [
             _shares(step, settings.steps, spent) for _ in range(settings.repetitions)
         ]

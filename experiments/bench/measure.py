@@ -65,7 +65,7 @@ class Settings:
     repetitions: int = 7
     """Of everything; the median counts."""
 
-    steps: int = 100
+    steps: int = 300
     """Environment steps in a repetition."""
 
     people: tuple[int, ...] = (1, 2, 4, 8, 16, 32, 64)
@@ -104,7 +104,7 @@ def alternate(
         For each name the processor's time of one call in each round [s].
     """
     for call in subjects.values():
-        _turn(call, max(calls // 2, 1))
+        _turn(call, calls)
     rounds = [
         {name: _turn(call, calls) for name, call in subjects.items()}
         for _ in range(repetitions)
