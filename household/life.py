@@ -244,7 +244,9 @@ class Life:
         heard = heard_strength(loudness - senses.loss[:n, target, None])
         seen = seen_strength(senses.attention[:n, target, None])
         attends = senses.attends[:n, n:]
-        liked = self.people.preferred(attends, on_average=on_average)[:, robot]
+        liked = self.people.appraisals.preferred(
+            self.people.activity, attends, on_average=on_average
+        )[:, robot]
         return (liked * np.maximum(seen, heard)).mean(axis=0)
 
 

@@ -4,11 +4,20 @@ A person judges each bout of behavior once, when it first sees or hears it well
 enough: its preference times how strongly it perceived the bout.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from household.activity import Activity
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.traits import Traits
+from household.people.mind import Judgements
+from household.people.norms import norm_table
+from household.people.person import Person
+from household.people.traits import Traits, traits_of
+from household.perception.senses import Senses
+from household.robots.robots import Robots
+from household.scenario import Scenario
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""
@@ -18,6 +27,90 @@ FULL = 70.0
 
 SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
+
+
+class Appraisals:
+    """What everybody privately thinks of what the robots do.
+
+    Args:
+        scenario: Holds the household's norms and how far people depart from them.
+        everyone: The people, with their preferences.
+
+    Attributes:
+        judgements: What everybody thinks of the bouts that are new to it.
+        pleasing: Whether each robot does what pleases each person, (n, n_robots).
+    """
+
+    def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
+        n, n_robots = len(everyone), len(scenario.robots)
+        # Tastes are drawn round 0, so that on average the norms are left of them.
+        norms = norm_table(scenario.household_norms, scenario.behaviors)
+        average = (1.0 - scenario.heterogeneity) * norms
+        self._average = np.array([average] * n)
+        self._preferences = np.array([p.preferences for p in everyone]).reshape(
+            n, len(Activity), 2, -1
+        )
+        self._traits = traits_of([person.persona for person in everyone])
+        self._rows = np.arange(n)[:, None]
+        # The decision at which the bout of each robot began that each last judged.
+        self._judged = np.full((n, n_robots), -1, np.intp)
+        self.pleasing = np.zeros((n, n_robots), np.bool_)
+        self.judgements = Judgements(
+            new=np.zeros((n, n_robots), np.bool_),
+            value=np.zeros((n, n_robots)),
+            believed=np.zeros((n, n_robots), np.intp),
+            attending=np.zeros((n, n_robots), np.bool_),
+        )
+
+    def forget(self) -> None:
+        """Begins a new episode: nobody has judged anything yet."""
+        self._judged[:] = -1
+
+    def judge(
+        self, activity: Indices, eyes_open: Mask, senses: Senses, robots: Robots
+    ) -> None:
+        """Everybody appraises the bouts that it did not appraise before.
+
+        Args:
+            activity: The role that each plays, shape (n,).
+            eyes_open: Who is awake, shape (n,).
+            senses: What everybody perceives.
+            robots: What there is to be perceived.
+        """
+        _appraise(
+            *self.judgements,
+            self.pleasing,
+            self._judged,
+            activity,
+            eyes_open,
+            robots.behaviors,
+            robots.begun,
+            senses.attends,
+            senses.attention,
+            senses.sees,
+            senses.level,
+            self._preferences,
+            self._traits,
+        )
+
+    def preferred(
+        self, activity: Indices, attends: Mask, *, on_average: bool = False
+    ) -> Floats:
+        """What everybody prefers of each robot right now.
+
+        Args:
+            activity: The role that each plays, shape (n,).
+            attends: Whether each person attends to each robot, shape (n, n_robots).
+            on_average: As if everybody were the average person of the population.
+
+        Returns:
+            Shape (n, n_robots, n_behaviors), in [-1, 1].
+        """
+        preferences = self._average if on_average else self._preferences
+        chosen: Floats = preferences[
+            self._rows, activity[:, None], attends.astype(np.intp)
+        ]
+        return chosen
 
 
 @compiled
@@ -41,7 +134,7 @@ def seen_strength(attention: Floats | float) -> Floats:
 
 
 @compiled
-def appraise(
+def _appraise(
     new: Mask,
     value: Floats,
     believed: Indices,

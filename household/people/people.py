@@ -9,18 +9,16 @@ from household.activity import Activity
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
 from household.crowd import Crowd
-from household.people.appraisal import appraise
+from household.people.appraisal import Appraisals
 from household.people.feelings import Feelings
 from household.people.mind import (
     NOBODY,
     OWN_ACTIVITY,
     Intentions,
-    Judgements,
     Minds,
     Percepts,
     Wish,
 )
-from household.people.norms import norm_table
 from household.people.person import everyone_of
 from household.people.places import NOWHERE, Places
 from household.people.traits import Traits, traits_of
@@ -44,6 +42,7 @@ class People:
     Attributes:
         everyone: Who they are.
         places: Where their activities are.
+        appraisals: What they think of what robots do.
         feelings: Their moods and what they think of each robot.
         intentions: What each is about to do.
         place: Index of the region that each is in, -1 outside all, shape (n,).
@@ -65,23 +64,7 @@ class People:
         self.feelings = Feelings(personas, n_robots, self._period)
         self._starts = [spec.start for spec in scenario.people]
         self._robots = [spec.position for spec in scenario.robots]
-        # Tastes are drawn round 0, so that on average the norms are left of them.
-        norms = norm_table(scenario.household_norms, scenario.behaviors)
-        average = (1.0 - scenario.heterogeneity) * norms
-        self._average = np.array([average] * n)
-        self._preferences = np.array([p.preferences for p in self.everyone]).reshape(
-            n, len(Activity), 2, -1
-        )
-        self._rows = np.arange(n)[:, None]
-        self._judgements = Judgements(
-            new=np.zeros((n, n_robots), np.bool_),
-            value=np.zeros((n, n_robots)),
-            believed=np.zeros((n, n_robots), np.intp),
-            attending=np.zeros((n, n_robots), np.bool_),
-        )
-        self._pleasing = np.zeros((n, n_robots), np.bool_)
-        # The decision at which the bout of each robot began that each last judged.
-        self._judged = np.full((n, n_robots), -1, np.intp)
+        self.appraisals = Appraisals(scenario, self.everyone)
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
@@ -105,7 +88,7 @@ class People:
         self.places.clear()
         self.feelings.forget()
         self.touched[:] = False
-        self._judged[:] = -1
+        self.appraisals.forget()
         self._claimed = [NOWHERE] * len(self.everyone)
         self.quarry[:] = NOBODY
         self._wishes, self._percepts = [], None
@@ -123,22 +106,6 @@ class People:
     def locate(self, position: Floats) -> None:
         """Reads off which role everybody plays where it stands."""
         self.places.locate(position, self.place, self.activity)
-
-    def preferred(self, attends: Mask, *, on_average: bool = False) -> Floats:
-        """What everybody prefers of each robot right now.
-
-        Args:
-            attends: Whether each person attends to each robot, shape (n, n_robots).
-            on_average: As if everybody were the average person of the population.
-
-        Returns:
-            Shape (n, n_robots, n_behaviors), in [-1, 1].
-        """
-        preferences = self._average if on_average else self._preferences
-        chosen: Floats = preferences[
-            self._rows, self.activity[:, None], attends.astype(np.intp)
-        ]
-        return chosen
 
     def opinions(self, robot: int) -> dict[str, int]:
         """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1)."""
@@ -163,22 +130,8 @@ class People:
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        appraise(
-            *self._judgements,
-            self._pleasing,
-            self._judged,
-            self.activity,
-            self.intentions.eyes_open,
-            robots.behaviors,
-            robots.begun,
-            senses.attends,
-            senses.attention,
-            senses.sees,
-            senses.level,
-            self._preferences,
-            self._traits,
-        )
-        self.feelings.live_through(self._judgements)
+        self.appraisals.judge(self.activity, self.intentions.eyes_open, senses, robots)
+        self.feelings.live_through(self.appraisals.judgements)
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
@@ -222,8 +175,8 @@ class People:
                 arrived=self._arrived,
                 touched=self.touched,
                 mood=self.feelings.mood,
-                judgements=self._judgements,
-                pleasing=self._pleasing,
+                judgements=self.appraisals.judgements,
+                pleasing=self.appraisals.pleasing,
                 moving=crowd.walking[len(self.everyone) :],
                 sees=senses.sees,
                 level=senses.level,
