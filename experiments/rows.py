@@ -121,7 +121,7 @@ class _Diary:
     opening: dict[str, Any] = field(default_factory=dict)
     touches: list[tuple[Touch, Cause]] = field(default_factory=list)
     states: dict[str, Hashable] = field(default_factory=dict)
-    values: dict[str, np.ndarray] = field(default_factory=dict)
+    values: dict[str, list[float]] = field(default_factory=dict)
     begun: list[float] = field(default_factory=list)
     """Times of `rows` and of the opened entry, for looking up a time."""
 
@@ -175,7 +175,7 @@ class Rows(Observer):
         q = learner.q_values(entry.state)
         diary.opened = entry
         diary.states[text] = entry.state
-        diary.values.setdefault(text, q)
+        diary.values.setdefault(text, q.tolist())
         diary.begun.append(entry.time)
         diary.bouts.append((bout, text, behavior))
         diary.opening = {
@@ -255,12 +255,13 @@ class Rows(Observer):
         """The Q-values of the situations met so far that are not what they were."""
         found = []
         for text, state in diary.states.items():
-            values, before = learner.q_values(state), diary.values[text]
-            for index in np.flatnonzero(values != before):
-                name = self._behaviors[index]
-                value = float(values[index])
-                found.append({"situation": text, "behavior": name, "value": value})
+            values, before = learner.q_values(state).tolist(), diary.values[text]
+            if values == before:
+                continue
             diary.values[text] = values
+            for name, value, old in zip(self._behaviors, values, before, strict=True):
+                if value != old:
+                    found.append({"situation": text, "behavior": name, "value": value})
         return found
 
     def _named(self, values: np.ndarray) -> dict[str, float]:

@@ -214,7 +214,7 @@ class Crowd:
             who may be within reach of its quarry.
         """
         if not (self._pushed or any(self._ways)):
-            return 1 if (quarry != NOBODY).any() else periods
+            return periods if set(quarry.tolist()) <= {NOBODY} else 1
         passed, due = 0, False
         if not self._pushed:
             passed, due = self._walk_freely(periods, quarry, reach)

@@ -288,7 +288,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         self._check_begun()
         n = len(self.life.people.everyone)
-        return bool(self.life.senses.attends[:n, n + self._index[agent]].any())
+        return True in self.life.senses.attends[:n, n + self._index[agent]].tolist()
 
     def appropriateness(self, agent: str) -> Array:
         """What the people present would think of each behavior now.
