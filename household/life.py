@@ -119,6 +119,7 @@ class Life:
             np.vstack([people, robots]),
             np.concatenate([np.zeros(len(people)), headings]),
         )
+        self.people.show(self.crowd.position, self.half_view)
         self._look_around(np.full(len(self._head_turn), 2 * np.pi))
         self._perceive()
 
@@ -190,9 +191,8 @@ class Life:
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self._scenario.decision_period
-        self.people.locate(self.crowd.position)
-        self.people.open_eyes(self.half_view)
-        self.robots.show(since, self._salience, self._source)
+        self.people.show(self.crowd.position, self.half_view)
+        self.robots.show(since, self.time, self._salience, self._source)
         self.senses.perceive(
             position=self.crowd.position,
             gaze=self.crowd.gaze,
@@ -221,7 +221,7 @@ class Life:
             activity=self.people.activity,
             mood=self.moods,
             behavior=robots.behaviors,
-            left=robots.left(self.time),
+            left=robots.left,
             touches=robots.felt,
         )
 

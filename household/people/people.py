@@ -20,7 +20,7 @@ from household.people.mind import (
     Wish,
 )
 from household.people.person import everyone_of
-from household.people.places import NOWHERE, Places
+from household.people.places import NOWHERE, Places, place_of
 from household.people.traits import Traits, traits_of
 from household.perception.senses import Senses
 from household.robots.robots import Robots
@@ -100,12 +100,7 @@ class People:
             begin = self._starts[i] or self.places.beside((x, y), taken)
             taken.append(begin)
             position[i] = begin
-        self.locate(position)
         return position
-
-    def locate(self, position: Floats) -> None:
-        """Reads off which role everybody plays where it stands."""
-        self.places.locate(position, self.place, self.activity)
 
     def opinions(self, robot: int) -> dict[str, int]:
         """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1)."""
@@ -114,14 +109,24 @@ class People:
             for i, person in enumerate(self.everyone)
         }
 
-    def open_eyes(self, half_view: Floats) -> None:
-        """Fills in half of each person's field of view.
+    def show(self, position: Floats, half_view: Floats) -> None:
+        """Tells how people appear: in which role, and with open eyes or closed.
 
         Args:
-            half_view: For people and robots, (n + n_robots,) [rad]; negative with the
-                eyes closed.
+            position: Of people and robots, shape (n + n_robots, 2) [m].
+            half_view: Half of each one's field of view, (n + n_robots,) [rad]; filled
+                in for people, negative with the eyes closed.
         """
-        _open_eyes(half_view, self.intentions.eyes_open, self._traits)
+        _show(
+            self.place,
+            self.activity,
+            half_view,
+            position,
+            self.places.circles,
+            self.places.roles,
+            self.intentions.eyes_open,
+            self._traits,
+        )
 
     def judge(self, senses: Senses, robots: Robots) -> None:
         """Everybody appraises the bouts that it did not appraise before.
@@ -270,8 +275,20 @@ def _find_near(position: Floats, quarry: Indices, near: Mask) -> bool:
 
 
 @compiled
-def _open_eyes(half_view: Floats, eyes_open: Mask, traits: Traits) -> None:
-    for i in range(len(eyes_open)):
+def _show(
+    place: Indices,
+    activity: Indices,
+    half_view: Floats,
+    position: Floats,
+    circles: Floats,
+    roles: Indices,
+    eyes_open: Mask,
+    traits: Traits,
+) -> None:
+    for i in range(len(place)):
+        place[i] = place_of(position[i], circles)
+        # The last role is for nowhere, which -1 is the index of.
+        activity[i] = roles[place[i]]
         half = math.radians(traits[i]["field_of_view"] / 2)
         half_view[i] = half if eyes_open[i] else -1.0
 

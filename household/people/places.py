@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import Floats, Indices
+from household.arrays import Floats
 from household.compiled import compiled
 from household.home.floorplan import FloorPlan, Region
 from household.home.routes import routes_of
@@ -34,13 +34,16 @@ class Places:
         plan: The home.
 
     Attributes:
+        circles: The regions, shape (n_regions, 3), rows of x, y, radius [m].
+        roles: Which role is played in each, as `Activity` values, and at the end that
+            of being nowhere, shape (n_regions + 1,).
         facing: What people look at in each region, shape (n_regions, 2) [m].
     """
 
     def __init__(self, plan: FloorPlan) -> None:
         self.regions = plan.regions
-        self._circles = plan.region_circles
-        self._roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
+        self.circles = plan.region_circles
+        self.roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
         self.facing = np.array([r.facing for r in plan.regions])
         self._routes = routes = routes_of(plan)
         self._spots = [
@@ -56,7 +59,7 @@ class Places:
     @property
     def centers(self) -> Floats:
         """Middles of the regions, shape (n_regions, 2) [m]."""
-        return self._circles[:, :2]
+        return self.circles[:, :2]
 
     def clear(self) -> None:
         """Begins a new episode: nobody has claimed a spot."""
@@ -108,35 +111,20 @@ class Places:
                     return x, y
         return spot
 
-    def locate(self, position: Floats, place: Indices, activity: Indices) -> None:
-        """Where people are, and which role they play there.
-
-        Args:
-            position: Shape (n, 2) [m]; further bodies may follow.
-            place: The region that each is in, or `NOWHERE`; regions do not overlap;
-                shape (n,), filled in.
-            activity: The role, as `Activity` values, shape (n,); filled in.
-        """
-        _locate(position, self._circles, self._roles, place, activity)
-
 
 @compiled
-def _locate(
-    position: Floats,
-    circles: Floats,
-    roles: Indices,
-    place: Indices,
-    activity: Indices,
-) -> None:
-    for i in range(len(place)):
-        place[i] = NOWHERE
-        for k in range(len(circles)):
-            dx, dy = position[i, 0] - circles[k, 0], position[i, 1] - circles[k, 1]
-            if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
-                place[i] = k
-                break
-        # The last role is for nowhere, which -1 is the index of.
-        activity[i] = roles[place[i]]
+def place_of(point: Floats, circles: Floats) -> int:
+    """The region that a point is in, or `NOWHERE`; regions do not overlap.
+
+    Args:
+        point: Shape (2,) [m].
+        circles: From `Places`, shape (n_regions, 3).
+    """
+    for k in range(len(circles)):
+        dx, dy = point[0] - circles[k, 0], point[1] - circles[k, 1]
+        if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
+            return k
+    return NOWHERE
 
 
 def _spots(region: Region) -> list[Point]:

@@ -93,7 +93,8 @@ def separate(
             x1, y1, x2, y2 [m].
         tall: Segments that block sight alone, shape (4, k) [m].
         wall_loss: What one wall takes from a sound [dB].
-        hidden: Opaque segments between each two, (n, n); changed in place.
+        hidden: Walls between each two, or where there is none, tall things, (n, n);
+            changed in place.
         loss: As from `attenuation`, (n, n) [dB]; changed in place.
 
     At the end ``before`` holds where everybody is.
@@ -109,7 +110,8 @@ def separate(
             if moved[i] or moved[j]:
                 between = _between(position, i, j, walls)
                 loss[i, j] = loss[j, i] = _loss(position, i, j, between * wall_loss)
-                between += _between(position, i, j, tall)
+                if between == 0:
+                    between = _between(position, i, j, tall)
                 hidden[i, j] = hidden[j, i] = between
     before[:] = position
 

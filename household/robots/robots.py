@@ -26,6 +26,8 @@ class Robots:
         bouts: What each robot is doing.
         behaviors: Index of each robot's behavior, -1 before the first, shape (n,).
         begun: The decision at which each began its bout, -1 before the first, (n,).
+        left: Share of each robot's bout that was left when they last were shown, shape
+            (n,), in [0, 1].
         touched: Whether any robot felt a touch in the last step.
         felt: Sum of caresses and of taps felt in it, (n, 2), both in [0, 1].
         feedback: The touches that each felt in it.
@@ -47,7 +49,7 @@ class Robots:
         self.begun = np.full(n, IDLE.decision, dtype=np.intp)
         self._began = np.full(n, IDLE.began)
         self._ends = np.full(n, IDLE.ends)
-        self._left = np.zeros(n)
+        self.left = np.zeros(n)
         self._untouched()
 
     def choose(self, robot: int, behavior: int, decision: int, now: float) -> None:
@@ -99,13 +101,14 @@ class Robots:
         total = self.felt[robot, kind] + feedback.strength
         self.felt[robot, kind] = min(total, 1.0)
 
-    def show(self, since: float, salience: Array, source: Array) -> None:
-        """Tells how robots appear to those who look and listen.
+    def show(self, since: float, now: float, salience: Array, source: Array) -> None:
+        """Tells how robots appear to those who look and listen, and what is `left`.
 
         What was over before is silent, and draws the eye no more than a person does.
 
         Args:
             since: Beginning of the period that is looked and listened to [s].
+            now: Its end [s].
             salience: How strongly each draws the eye; filled in at its end, as people
                 come before robots.
             source: How loud each is at 1 m [dB]; likewise.
@@ -113,29 +116,27 @@ class Robots:
         _show(
             salience,
             source,
+            self.left,
             self.behaviors,
+            self._began,
             self._ends,
             since,
+            now,
             self._salience,
             self._loudness,
         )
-
-    def left(self, now: float) -> Array:
-        """Share of each robot's bout that is left, shape (n,), in [0, 1].
-
-        Always the same array, with new values in it.
-        """
-        _left(self._began, self._ends, now, self._left)
-        return self._left
 
 
 @compiled
 def _show(
     salience: Array,
     source: Array,
+    left: Array,
     behavior: NDArray[np.intp],
+    began: Array,
     ends: Array,
     since: float,
+    now: float,
     saliences: Array,
     loudness: Array,
 ) -> None:
@@ -144,10 +145,5 @@ def _show(
         over = ends[i] <= since + MOMENT
         salience[first + i] = 1.0 if over else saliences[behavior[i]]
         source[first + i] = 0.0 if over else loudness[behavior[i]]
-
-
-@compiled
-def _left(began: Array, ends: Array, now: float, left: Array) -> None:
-    for i in range(len(ends)):
         lasts = ends[i] > now + MOMENT
         left[i] = (ends[i] - now) / (ends[i] - began[i]) if lasts else 0.0
