@@ -12,14 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.people.feedback import Cause, Feedback
-from household.perception.situation import Situation
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
 if TYPE_CHECKING:
     from household.environment import Household
+    from household.life import Life
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+Present = tuple[
+    Array, Array, Array, Array, Indices, Mask, Array, Array, Indices, Indices
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +44,6 @@ class Touch:
 
 class Snapshot(NamedTuple):
     """A moment; in every array people come first and robots after them.
-
-    A tuple, as it is made at every step of a recording: a frozen dataclass takes four
-    times as long.
 
     Attributes:
         decision: Steps since the episode began; 0 is the moment after the reset.
@@ -67,12 +69,12 @@ class Snapshot(NamedTuple):
     heading: Array
     gaze: Array
     half_view: Array
-    activity: NDArray[np.int64]
-    attends: NDArray[np.bool_]
+    activity: Indices
+    attends: Mask
     attention: Array
     mood: Array
-    behavior: NDArray[np.int64]
-    begun: NDArray[np.int64]
+    behavior: Indices
+    begun: Indices
     reward: Array
     touches: tuple[Touch, ...]
 
@@ -97,36 +99,48 @@ def layout(scenario: Scenario) -> dict[str, tuple[tuple[int, ...], type]]:
 
 
 def snapshot(home: "Household") -> Snapshot:
-    """Takes a snapshot; later steps do not change it.
-
-    Only what the environment changes in place is copied; it makes the rest anew.
-    """
-    crowd, senses, robots = home.life.crowd, home.life.senses, home.life.robots
-    people, touched = home.life.people, robots.touched
+    """Takes a snapshot; later steps do not change it."""
+    robots = home.life.robots
+    names = layout(home.scenario)
+    reward = rewards(robots) if robots.touched else np.zeros(len(robots.names))
+    arrays = dict(zip(names, (*present(home.life), reward), strict=True))
+    arrays["half_view"] = arrays["half_view"][: len(home.scenario.people)]
     return Snapshot(
         decision=home.decision,
         time=home.time,
-        position=crowd.position,
-        heading=crowd.heading.copy(),
-        gaze=crowd.gaze.copy(),
-        half_view=home.life.half_view[: len(people.everyone)].copy(),
-        activity=people.activity.copy(),
-        attends=senses.attends.copy(),
-        attention=senses.attention.copy(),
-        mood=people.feelings.mood.copy(),
-        behavior=robots.behaviors.copy(),
-        begun=robots.begun.copy(),
-        reward=_rewards(robots) if touched else np.zeros(len(robots.names)),
-        touches=_touches(home) if touched else (),
+        touches=touches(robots),
+        **{name: array.copy() for name, array in arrays.items()},
     )
 
 
-def _rewards(robots: Robots) -> Array:
+def present(life: "Life") -> Present:
+    """The arrays of this moment, without rewards, in the order of a snapshot.
+
+    Not copied, as a recording writes them down at every step: later steps change them.
+    ``half_view`` is there for robots, too.
+    """
+    crowd, senses, people, robots = life.crowd, life.senses, life.people, life.robots
+    return (
+        crowd.position,
+        crowd.heading,
+        crowd.gaze,
+        life.half_view,
+        people.activity,
+        senses.attends,
+        senses.attention,
+        people.feelings.mood,
+        robots.behaviors,
+        robots.begun,
+    )
+
+
+def rewards(robots: Robots) -> Array:
+    """What each robot felt in the last step, shape (n_robots,)."""
     return np.array([float(sum(t.value for t in f)) for f in robots.feedback])
 
 
-def _touches(home: "Household") -> tuple[Touch, ...]:
-    robots = home.life.robots
+def touches(robots: Robots) -> tuple[Touch, ...]:
+    """The touches of the last step."""
     return tuple(
         Touch(robot, feedback, cause)
         for robot, felt, causes in zip(
@@ -134,8 +148,3 @@ def _touches(home: "Household") -> tuple[Touch, ...]:
         )
         for feedback, cause in zip(felt, causes, strict=True)
     )
-
-
-def situations(home: "Household") -> tuple[Situation, ...]:
-    """The situation as each robot sees it now."""
-    return tuple(home.situation(agent) for agent in home.possible_agents)

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from household.replay.colors import packed
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
+from household.replay.rows import Buffer
 from household.replay.scenery import LANE, second
 from household.replay.stream import Moments, Stream, exact, moments_of, words
 from household.scenario import Scenario
-from household.snapshot import Snapshot, Touch
+from household.snapshot import Touch
 
 Array = NDArray[np.float64]
 
@@ -20,9 +21,6 @@ SHOWN = 5.0
 """How long a touch stays on the floor plan [s]."""
 
 VERBS = {"caress": "caresses", "tap": "taps"}
-
-REMEMBERED = 512
-"""Decisions for which it is known where the robots were; lines go back no further."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,41 +64,39 @@ class Events:
 
     Args:
         scenario: The household.
+        buffer: Knows where the robots were.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
-        self._scenario = scenario
+    def __init__(self, scenario: Scenario, buffer: Buffer) -> None:
+        self._scenario, self._buffer = scenario, buffer
         self._second = second(scenario)
         self._robots = {name: i for i, name in enumerate(scenario.robot_names)}
-        self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
         stay = max(1, round(SHOWN / scenario.decision_period))
         self._marks = {name: Marks(stay) for name in ("touches", "true", "believed")}
-        self._touches: list[tuple[Snapshot, Touch]] = []
+        self._touches: list[tuple[int, Touch]] = []
         self._beliefs: list[tuple[int, Belief]] = []
         self._first = 0
-        self._now = 0
 
-    def see(self, snapshot: Snapshot) -> None:
-        """Remembers where the robots are, and the touches of this moment."""
-        self._now = snapshot.decision
-        robots = snapshot.position[len(self._scenario.people) :]
-        self._spots[self._now % REMEMBERED] = robots
-        for touch in snapshot.touches:
-            self._touches.append((snapshot, touch))
-            spot = self._spot(touch.robot, self._now)
+    def feel(self, touches: Iterable[Touch]) -> None:
+        """Remembers the touches of this moment."""
+        now = self._buffer.decision
+        for touch in touches:
+            self._touches.append((now, touch))
+            spot = self._spot(touch.robot, now)
             mark = (touch.robot, spot, touch.feedback)
-            self._marks["touches"].items.append((self._now, mark))
+            self._marks["touches"].items.append((now, mark))
             cause = touch.cause
             line = (spot, self._spot(cause.robot, cause.decision))
-            self._marks["true"].items.append((self._now, line))
+            self._marks["true"].items.append((now, line))
 
     def believe(self, belief: Belief) -> None:
         """Remembers what a learner believes at this moment."""
-        self._beliefs.append((self._now, belief))
+        now = self._buffer.decision
+        self._beliefs.append((now, belief))
         if belief.designated is not None:
             touched = self._spot(belief.robot, self._decision(belief.time))
             meant = self._spot(belief.robot, self._decision(belief.designated.time))
-            self._marks["believed"].items.append((self._now, (touched, meant)))
+            self._marks["believed"].items.append((now, (touched, meant)))
 
     def send(self, stream: Stream) -> None:
         """Writes what came since the last time."""
@@ -112,7 +108,7 @@ class Events:
         self._touches.clear()
         self._beliefs.clear()
         # What is believed of this moment may still come.
-        self._first = self._now
+        self._first = self._buffer.decision
 
     def _decision(self, time: float) -> int:
         """The decision at which something began [s]."""
@@ -120,9 +116,7 @@ class Events:
 
     def _spot(self, robot: str, decision: int) -> Point:
         """Where a robot was; where it is now, if that is forgotten."""
-        known = decision if decision > self._now - REMEMBERED else self._now
-        x, y = self._spots[known % REMEMBERED, self._robots[robot]]
-        return float(x), float(y)
+        return self._buffer.spot(self._robots[robot], decision)
 
     def _moments(self, decisions: Iterable[int]) -> Moments:
         return moments_of(decisions, self._scenario.decision_period)
@@ -131,7 +125,7 @@ class Events:
         import rerun as rr
 
         for name, marks in self._marks.items():
-            decisions, groups = marks.groups(self._first, self._now)
+            decisions, groups = marks.groups(self._first, self._buffer.decision)
             if not decisions:
                 continue
             moments = self._moments(decisions)
@@ -149,7 +143,7 @@ class Events:
         touches = [touch for _, touch in self._touches]
         felt = [touch.feedback for touch in touches]
         causes = [touch.cause for touch in touches]
-        moments = self._moments(snapshot.decision for snapshot, _ in self._touches)
+        moments = self._moments(decision for decision, _ in self._touches)
         stream.send("touches", moments, touch_columns(touches))
         at = self._on_lanes(
             [(f.time, t.robot) for f, t in zip(felt, touches, strict=True)]

@@ -11,16 +11,16 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from household.perception.situation import Situation
+from household.perception.reading import KEPT, SituationReader
 from household.replay.events import Belief, Events
 from household.replay.layout import layout
-from household.replay.moving import send_rows
+from household.replay.moving import changes, send_rows
 from household.replay.process import open_viewer
-from household.replay.rows import Buffer
+from household.replay.rows import Buffer, Rows
 from household.replay.scenery import set_scene
 from household.replay.stream import Moments, Stream, moments_of, saved_layout
 from household.scenario import Scenario
-from household.snapshot import Snapshot, situations, snapshot
+from household.snapshot import touches
 
 if TYPE_CHECKING:
     from household.environment import Household
@@ -61,12 +61,12 @@ class Recorder:
         scenario = home.scenario
         self._home, self._scenario = home, scenario
         self._buffer = Buffer(scenario, flush_every)
-        self._events = Events(scenario)
+        self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
-        self._seen: tuple[Situation, ...] = ()
-        self._said: list[tuple[int, tuple[Situation, ...]]] = []
+        self._said = ""
+        self._situations = SituationReader(scenario)
+        self._document = lru_cache(maxsize=KEPT)(self._make_document)
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
-        self._last: Snapshot | None = None
         self._watch, self._written = bool(watch), time.monotonic()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
         target = None if path is None else Path(path)
@@ -88,15 +88,11 @@ class Recorder:
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""
-        self._last = now = snapshot(self._home)
-        seen = situations(self._home)
-        # The environment hands out the same object as long as nothing changes.
-        if seen != self._seen:
-            self._seen = seen
-            self._said.append((now.decision, seen))
-        self._buffer.put(now)
-        self._events.see(now)
-        if self._buffer.full or (self._watch and self._is_due()):
+        life, buffer = self._home.life, self._buffer
+        buffer.put(life)
+        if life.robots.touched:
+            self._events.feel(touches(life.robots))
+        if buffer.full or (self._watch and self._is_due()):
             self.flush()
 
     def value(self, robot: str, values: NDArray[np.float64]) -> None:
@@ -106,8 +102,8 @@ class Recorder:
             robot: Name of the robot.
             values: Shape (n_behaviors,).
         """
-        assert self._last is not None
-        self._values.setdefault(robot, []).append((self._last.decision, values))
+        entry = (self._buffer.decision, values)
+        self._values.setdefault(robot, []).append(entry)
 
     def believe(self, belief: Belief) -> None:
         """Records what a learner now believes a touch to be about."""
@@ -117,10 +113,10 @@ class Recorder:
         """Writes everything so far."""
         rows = self._buffer.take()
         self._events.send(self._stream)
-        self._send_situations()
         self._send_values()
         # Last, so that of a moment that a torn file holds, nothing is missing.
         if len(rows):
+            self._send_situations(rows)
             send_rows(self._stream, self._scenario, rows, self._total)
             self._total = self._total + rows.reward.sum(axis=0)
         self._stream.flush()
@@ -139,14 +135,33 @@ class Recorder:
     def _moments(self, decisions: Sequence[int]) -> Moments:
         return moments_of(decisions, self._scenario.decision_period)
 
-    def _send_situations(self) -> None:
+    def _send_situations(self, rows: Rows) -> None:
+        """The situations in words, at the moments at which the words change."""
         import rerun as rr
 
-        moments = self._moments([decision for decision, _ in self._said])
-        texts = [_document(self._scenario.robot_names, said) for _, said in self._said]
+        decisions, texts = [], []
+        changed = changes(rows.activity, rows.attends)
+        for row in np.flatnonzero(changed).tolist():
+            activity, attends = rows.activity[row], rows.attends[row]
+            text = self._document(activity.tobytes(), attends.tobytes())
+            if text != self._said:
+                self._said = text
+                texts.append(text)
+                decisions.append(int(rows.decision[row]))
         document = rr.TextDocument.columns(text=texts)
-        self._stream.send("situation", moments, document)
-        self._said.clear()
+        self._stream.send("situation", self._moments(decisions), document)
+
+    def _make_document(self, activity: bytes, attends: bytes) -> str:
+        """The situations that robots see in words; one line if all see the same."""
+        n = len(self._scenario.people) + len(self._scenario.robots)
+        said = self._situations.seen(
+            np.frombuffer(activity, np.int64),
+            np.frombuffer(attends, np.bool_).reshape(n, n),
+        )
+        if all(situation == said[0] for situation in said):
+            return str(said[0])
+        told = zip(self._scenario.robot_names, said, strict=True)
+        return "\n".join(f"{robot}: {situation}" for robot, situation in told)
 
     def _send_values(self) -> None:
         import rerun as rr
@@ -157,14 +172,6 @@ class Recorder:
             scalars = rr.Scalars.columns(scalars=values)
             self._stream.send(f"q/{robot}", moments, scalars)
         self._values.clear()
-
-
-def _document(robots: Sequence[str], said: Sequence[Situation]) -> str:
-    """Situations in words; one line if all robots see the same."""
-    if all(situation == said[0] for situation in said):
-        return str(said[0])
-    told = zip(robots, said, strict=True)
-    return "\n".join(f"{robot}: {situation}" for robot, situation in told)
 
 
 def _address(watch: bool | str) -> str | None:

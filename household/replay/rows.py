@@ -1,37 +1,43 @@
-"""Rows: snapshots kept in preallocated arrays until they are written out."""
+"""Rows: moments kept in preallocated arrays until they are written out."""
 
 import math
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from household.compiled import compiled
 from household.scenario import Scenario
-from household.snapshot import Snapshot, layout
+from household.snapshot import layout, present, rewards
+
+if TYPE_CHECKING:
+    from household.life import Life
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """Snapshots one after another; the first axis of every array is the moment.
+    """Moments one after another; the first axis of every array is the moment.
 
     Attributes are those of `Snapshot`, with ``decision`` and ``time`` as arrays.
     """
 
-    decision: NDArray[np.int64]
+    decision: Indices
     time: Array
     position: Array
     heading: Array
     gaze: Array
     half_view: Array
-    activity: NDArray[np.int64]
-    attends: NDArray[np.bool_]
+    activity: Indices
+    attends: Mask
     attention: Array
     mood: Array
-    behavior: NDArray[np.int64]
-    begun: NDArray[np.int64]
+    behavior: Indices
+    begun: Indices
     reward: Array
 
     def __len__(self) -> int:
@@ -41,48 +47,133 @@ class Rows:
 MOST_BYTES = 32 << 20
 """Of memory for a buffer; a large crowd is written out more often."""
 
+REMEMBERED = 512
+"""Decisions for which it is known where the robots were; lines go back no further."""
+
 NAMES = tuple(field.name for field in fields(Rows))
 
 
 class Buffer:
-    """Room for so many snapshots.
+    """Room for so many moments.
+
+    All numbers of a kind are one block, in which a moment is a row: a single compiled
+    call writes it, which at every step of a recording counts.
 
     Args:
-        scenario: Whose snapshots.
+        scenario: Whose moments.
         capacity: How many; fewer, if they would need more than `MOST_BYTES`.
+
+    Attributes:
+        decision: The last moment's; -1 before the first.
     """
 
     def __init__(self, scenario: Scenario, capacity: int) -> None:
-        shapes = layout(scenario).values()
+        self._layout, self._period = layout(scenario), scenario.decision_period
+        shapes = self._layout.values()
         bytes_each = sum(8 * math.prod(shape) for shape, _ in shapes)
-        capacity = max(1, min(capacity, MOST_BYTES // bytes_each))
-        self._arrays: dict[str, NDArray[Any]] = {
-            "decision": np.zeros(capacity, dtype=np.int64),
-            "time": np.zeros(capacity),
-        } | {
-            name: np.zeros((capacity, *shape), dtype=kind)
-            for name, (shape, kind) in layout(scenario).items()
-        }
-        self._columns = [self._arrays[name] for name in NAMES]
-        self._capacity = capacity
+        self._capacity = max(1, min(capacity, MOST_BYTES // bytes_each))
+        self._numbers = np.zeros((self._capacity, self._width(np.float64)))
+        indices = self._capacity, 1 + self._width(np.int64)
+        self._indices = np.zeros(indices, dtype=np.int64)
+        self._marks = np.zeros((self._capacity, self._width(np.bool_)), np.bool_)
+        self._n_people = len(scenario.people)
+        self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
         self._filled = 0
+        self.decision = -1
+
+    def _width(self, kind: type) -> int:
+        """How many numbers of a kind a moment has."""
+        return sum(math.prod(s) for s, each in self._layout.values() if each is kind)
 
     @property
     def full(self) -> bool:
-        """Whether there is no room for another snapshot."""
+        """Whether there is no room for another moment."""
         return self._filled == self._capacity
 
-    def put(self, snapshot: Snapshot) -> None:
-        """Adds a snapshot; its touches are kept elsewhere."""
-        row = self._filled
-        values: tuple[Any, ...] = snapshot
-        # The touches, which have no column, are a snapshot's last field.
-        for column, value in zip(self._columns, values, strict=False):
-            column[row] = value
+    def put(self, life: "Life") -> None:
+        """Adds this moment; its touches are kept elsewhere."""
+        row, self.decision = self._filled, life.decision
+        _write(
+            row,
+            self.decision,
+            self._numbers,
+            self._indices,
+            self._marks,
+            self._spots,
+            *present(life),
+        )
+        if life.robots.touched:
+            self._numbers[row, -self._spots.shape[1] :] = rewards(life.robots)
         self._filled = row + 1
+
+    def spot(self, robot: int, decision: int) -> tuple[float, float]:
+        """Where a robot was; where it is now, if that is forgotten.
+
+        Args:
+            robot: Its index.
+            decision: Not after the last moment.
+        """
+        known = decision if decision > self.decision - REMEMBERED else self.decision
+        x, y = self._spots[known % REMEMBERED, robot].tolist()
+        return x, y
 
     def take(self) -> Rows:
         """Everything since the last time; valid until the next `put`."""
-        rows = Rows(**{n: a[: self._filled] for n, a in self._arrays.items()})
-        self._filled = 0
-        return rows
+        count, self._filled = self._filled, 0
+        blocks = {
+            np.float64: self._numbers[:count],
+            np.int64: self._indices[:count, 1:],
+            np.bool_: self._marks[:count],
+        }
+        ends = dict.fromkeys(blocks, 0)
+        columns = {}
+        for name, (shape, kind) in self._layout.items():
+            begin, ends[kind] = ends[kind], ends[kind] + math.prod(shape)
+            part = blocks[kind][:, begin : ends[kind]]
+            columns[name] = part.reshape(count, *shape)
+        decision = self._indices[:count, 0]
+        return Rows(decision=decision, time=decision * self._period, **columns)
+
+
+@compiled
+def _write(  # noqa: PLR0913 - one array for each thing that is written down
+    row: int,
+    decision: int,
+    numbers: Array,
+    indices: Indices,
+    marks: Mask,
+    spots: Array,
+    position: Array,
+    heading: Array,
+    gaze: Array,
+    half_view: Array,
+    activity: Indices,
+    attends: Mask,
+    attention: Array,
+    mood: Array,
+    behavior: Indices,
+    begun: Indices,
+) -> None:
+    """Writes a moment without touches, in the order of `layout`."""
+    n, n_people = len(heading), len(mood)
+    here, marked, spot = numbers[row], marks[row], spots[decision % len(spots)]
+    at = 0
+    for i in range(n):
+        here[2 * i], here[2 * i + 1] = position[i, 0], position[i, 1]
+        here[2 * n + i], here[3 * n + i] = heading[i], gaze[i]
+        at = 4 * n + n_people + i * n
+        for j in range(n):
+            here[at + j] = attention[i, j]
+            marked[i * n + j] = attends[i, j]
+    at = 4 * n + n_people + n * n
+    for i in range(n_people):
+        here[4 * n + i] = half_view[i]
+        here[at + i] = mood[i]
+        indices[row, 1 + i] = activity[i]
+    indices[row, 0] = decision
+    n_robots = n - n_people
+    for j in range(n_robots):
+        here[at + n_people + j] = 0.0
+        indices[row, 1 + n_people + j] = behavior[j]
+        indices[row, 1 + n_people + n_robots + j] = begun[j]
+        spot[j, 0], spot[j, 1] = position[n_people + j, 0], position[n_people + j, 1]
