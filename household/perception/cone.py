@@ -8,15 +8,19 @@ from numpy.typing import NDArray
 from household.compiled import compiled
 
 Array = NDArray[np.float64]
+Drawn = NDArray[np.float32]
 
 RAYS = 13
 """Rays in a cone; 120 degrees of view are drawn in steps of 10 degrees."""
+
+EDGE = 1e-6
+"""By how much a field of view is widened where what lies beyond is left out [rad]."""
 
 
 @compiled
 def gaze_cones(
     position: Array, gaze: Array, half_view: Array, segments: Array, reach: float
-) -> Array:
+) -> Drawn:
     """The outline of everybody's field of view at several moments.
 
     Args:
@@ -31,7 +35,7 @@ def gaze_cones(
         the eye. With closed eyes all points are there.
     """
     moments, n = gaze.shape
-    outline = np.empty((moments, n, RAYS + 2, 2))
+    outline = np.empty((moments, n, RAYS + 2, 2), np.float32)
     near = np.empty_like(segments)
     for t in range(moments):
         for i in range(n):
@@ -43,53 +47,83 @@ def gaze_cones(
                 and gaze[t, i] == gaze[t - 1, i]
                 and half == half_view[t - 1, i]
             ):
-                outline[t, i] = outline[t - 1, i]
+                for point in range(RAYS + 2):
+                    outline[t, i, point, 0] = outline[t - 1, i, point, 0]
+                    outline[t, i, point, 1] = outline[t - 1, i, point, 1]
                 continue
-            outline[t, i, :, 0] = x
-            outline[t, i, :, 1] = y
+            for point in range(RAYS + 2):
+                outline[t, i, point, 0] = x
+                outline[t, i, point, 1] = y
             if half < 0.0:
                 continue
-            count = _gather(x, y, segments, reach, near)
+            count = _gather(x, y, gaze[t, i], half, segments, reach, near)
             for ray in range(RAYS):
                 angle = gaze[t, i] + half * (2.0 * ray / (RAYS - 1) - 1.0)
                 dx, dy = math.cos(angle), math.sin(angle)
-                free = _free(x, y, dx, dy, near[:count], reach)
+                free = _free(dx, dy, near, count, reach)
                 outline[t, i, ray + 1, 0] = x + free * dx
                 outline[t, i, ray + 1, 1] = y + free * dy
     return outline
 
 
 @compiled
-def _gather(x: float, y: float, segments: Array, reach: float, near: Array) -> int:
-    """Copies the segments that could be within reach to `near`; returns how many."""
+def _gather(
+    x: float,
+    y: float,
+    gaze: float,
+    half: float,
+    segments: Array,
+    reach: float,
+    near: Array,
+) -> int:
+    """Copies the segments that could be seen to `near`; returns how many.
+
+    There they are where they begin, as seen from (x, y), and how they go on. What
+    lies wholly beyond one edge of the field of view, less than half a circle, cannot
+    be in it.
+    """
+    lx, ly = math.cos(gaze + half + EDGE), math.sin(gaze + half + EDGE)
+    rx, ry = math.cos(gaze - half - EDGE), math.sin(gaze - half - EDGE)
+    narrow = half + EDGE < math.pi / 2
     count = 0
     for k in range(segments.shape[0]):
-        x1, y1, x2, y2 = segments[k]
+        ax, ay = segments[k, 0] - x, segments[k, 1] - y
+        bx, by = segments[k, 2] - x, segments[k, 3] - y
         if (
-            min(x1, x2) <= x + reach
-            and max(x1, x2) >= x - reach
-            and min(y1, y2) <= y + reach
-            and max(y1, y2) >= y - reach
+            (ax > reach and bx > reach)
+            or (ax < -reach and bx < -reach)
+            or (ay > reach and by > reach)
+            or (ay < -reach and by < -reach)
         ):
-            near[count] = segments[k]
-            count += 1
+            continue
+        if narrow and (
+            (lx * ay > ly * ax and lx * by > ly * bx)
+            or (rx * ay < ry * ax and rx * by < ry * bx)
+        ):
+            continue
+        near[count, 0], near[count, 1] = ax, ay
+        near[count, 2] = segments[k, 2] - segments[k, 0]
+        near[count, 3] = segments[k, 3] - segments[k, 1]
+        count += 1
     return count
 
 
 @compiled
-def _free(
-    x: float, y: float, dx: float, dy: float, segments: Array, reach: float
-) -> float:
-    """How far one sees from (x, y) in the unit direction (dx, dy)."""
+def _free(dx: float, dy: float, near: Array, count: int, reach: float) -> float:
+    """How far one sees in the unit direction (dx, dy), past what `_gather` found."""
     free = reach
-    for k in range(segments.shape[0]):
-        ax, ay = segments[k, 0] - x, segments[k, 1] - y
-        ex, ey = segments[k, 2] - segments[k, 0], segments[k, 3] - segments[k, 1]
+    for k in range(count):
+        ax, ay, ex, ey = near[k, 0], near[k, 1], near[k, 2], near[k, 3]
         cross = dx * ey - dy * ex
         if cross == 0.0:
             continue
+        # Most are missed, which shows before any division.
+        aside = ax * dy - ay * dx
+        if aside != 0.0 and ((aside < 0.0) != (cross < 0.0)):
+            continue
+        if not 0.0 <= aside / cross <= 1.0:
+            continue
         along = (ax * ey - ay * ex) / cross
-        across = (ax * dy - ay * dx) / cross
-        if 0.0 <= along < free and 0.0 <= across <= 1.0:
+        if 0.0 <= along < free:
             free = along
     return free
