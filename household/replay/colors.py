@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import Activity
+from household.compiled import compiled
 from household.home.drawing import ACTIVITY_COLORS
 
 Bytes = NDArray[np.uint8]
@@ -54,13 +55,32 @@ def packed(colors: list[str], alpha: int = 255) -> NDArray[np.uint32]:
 ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
 
 
+STOPS = np.array([0.0, 0.3, 0.7, 1.0])
+HEAT = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43.0]])
+"""Shares, and their colors from nearly white over blue to nearly black."""
+
+
+@compiled
 def heat(values: NDArray[np.float64]) -> Bytes:
-    """Shares in [0, 1] as colors from nearly white over blue to nearly black.
+    """Shares in [0, 1] as colors; those between two stops are in proportion.
+
+    Args:
+        values: Shape (n_moments, n, n).
 
     Returns:
         The same shape with three more for red, green and blue.
     """
-    stops = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43]])
-    return np.stack(
-        [np.interp(values, (0.0, 0.3, 0.7, 1.0), stops[:, c]) for c in range(3)], -1
-    ).astype(np.uint8)
+    moments, n, m = values.shape
+    colors = np.empty((moments, n, m, 3), np.uint8)
+    for t in range(moments):
+        for i in range(n):
+            for j in range(m):
+                share = min(max(values[t, i, j], 0.0), 1.0)
+                k = 0
+                while k < len(STOPS) - 2 and share >= STOPS[k + 1]:
+                    k += 1
+                part, width = share - STOPS[k], STOPS[k + 1] - STOPS[k]
+                for c in range(3):
+                    rise = (HEAT[k + 1, c] - HEAT[k, c]) / width
+                    colors[t, i, j, c] = int(rise * part + HEAT[k, c])
+    return colors

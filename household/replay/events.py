@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.replay.colors import packed
+from household.replay.columns import exact, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
 from household.replay.rows import Buffer
 from household.replay.scenery import LANE, second
-from household.replay.stream import Moments, Stream, exact, moments_of, words
+from household.replay.stream import Moments, Stream, moments_of
 from household.scenario import Scenario
 from household.snapshot import Touch
 

@@ -1,31 +1,47 @@
 """What changes from moment to moment, as columns."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES, Activity
+from household.compiled import compiled
 from household.life import PERSON_RADIUS, ROBOT_RADIUS
-from household.perception.cone import RAYS, gaze_cones
+from household.perception.cone import gaze_cones
 from household.replay.colors import ACTIVITIES, behavior_color, heat, packed
+from household.replay.columns import colors, exact, pictures, strips, texts, vectors
 from household.replay.rows import NAMES, Rows
 from household.replay.scenery import LANE, lanes_of, second
-from household.replay.stream import Stream, exact
+from household.replay.stream import Stream
 from household.scenario import Scenario
 
 ARROW = 0.35
 """Length of the arrow that shows where a body faces [m]."""
 
+PEOPLE, GAZES = packed(ACTIVITIES), packed(ACTIVITIES, 160)
+"""Colors of people and of their gazes, by activity."""
+
 Mask = NDArray[np.bool_]
+Where = NDArray[np.intp]
 
 
-def changes(*columns: NDArray[np.generic]) -> Mask:
-    """Rows that differ from the row before, and the first one, shape (n_rows,)."""
-    mask = np.ones(len(columns[0]), dtype=np.bool_)
-    mask[1:] = False
+def changes(*columns: NDArray[np.generic]) -> Where:
+    """Indices of the rows that differ from the row before, and of the first one."""
+    changed = np.zeros(len(columns[0]), dtype=np.bool_)
+    changed[:1] = True
     for column in columns:
-        flat = column.reshape(len(column), -1)
-        mask[1:] |= (flat[1:] != flat[:-1]).any(axis=1)
-    return mask
+        _mark_changes(column.reshape(len(column), -1), changed)
+    return np.flatnonzero(changed)
+
+
+@compiled
+def _mark_changes(values: NDArray[Any], changed: Mask) -> None:
+    for row in range(1, len(values)):
+        for k in range(values.shape[1]):
+            if values[row, k] != values[row - 1, k]:
+                changed[row] = True
+                break
 
 
 def send_rows(
@@ -55,56 +71,52 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
 
     n = len(scenario.people)
     _send_bodies(stream, "world/people", rows, slice(0, n), PERSON_RADIUS)
-    mask = changes(rows.activity)
-    colors = packed(ACTIVITIES)[rows.activity[mask]]
-    labels = _person_labels(scenario)[np.arange(n), rows.activity[mask]]
-    style = rr.Points2D.columns(colors=colors.reshape(-1))
-    _send_groups(stream, "world/people", rows, mask, style, n)
-    texts = rr.Points2D.columns(labels=labels.reshape(-1).tolist())
-    _send_groups(stream, "world/people/names", rows, mask, texts, n)
-    mask = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
+    where = changes(rows.activity)
+    activity = rows.activity[where]
+    look = colors(rr.Points2D.descriptor_colors(), PEOPLE[activity])
+    _send_at(stream, "world/people", rows, where, look)
+    which = activity + len(Activity) * np.arange(n)
+    names = texts(rr.Points2D.descriptor_labels(), _person_labels(scenario), which)
+    _send_at(stream, "world/people/names", rows, where, names)
+    where = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
     cones = gaze_cones(
-        rows.position[mask, :n],
-        rows.gaze[mask, :n],
-        rows.half_view[mask],
+        rows.position[where, :n],
+        rows.gaze[where, :n],
+        rows.half_view[where],
         scenario.plan.opaque_segments,
         scenario.perception.distance,
     )
-    strips = cones.reshape(-1, RAYS + 2, 2).astype(np.float32)
-    tint = packed(ACTIVITIES, 160)[rows.activity[mask]].reshape(-1)
-    outline = rr.LineStrips2D.columns(strips=strips, colors=tint)
-    _send_groups(stream, "world/people/gaze", rows, mask, outline, n)
+    outline = strips(rr.LineStrips2D.descriptor_strips(), cones)
+    tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[rows.activity[where]])
+    _send_at(stream, "world/people/gaze", rows, where, outline, tint)
 
 
-def _person_labels(scenario: Scenario) -> NDArray[np.object_]:
-    """What stands at each person in each activity, shape (n_people, n_activities)."""
-    return np.array(
-        [
-            [f"{name}: {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [name]
-            for name in scenario.person_names
-        ],
-        dtype=np.object_,
-    )
+def _person_labels(scenario: Scenario) -> list[str]:
+    """What stands at each person in each activity, one person after the other."""
+    words = [f": {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [""]
+    return [name + word for name in scenario.person_names for word in words]
 
 
 def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
-    n = len(scenario.robots)
     robots = slice(len(scenario.people), None)
     _send_bodies(stream, "world/robots", rows, robots, ROBOT_RADIUS)
-    mask = changes(rows.behavior)
-    names = [*scenario.behaviors, "-"]
-    labels = [
-        f"{name}: {names[behavior]}"
-        for behaviors in rows.behavior[mask]
-        for name, behavior in zip(scenario.robot_names, behaviors, strict=True)
-    ]
-    colors = packed([behavior_color(int(b)) for b in rows.behavior[mask].reshape(-1)])
-    style = rr.Points2D.columns(colors=colors)
-    _send_groups(stream, "world/robots", rows, mask, style, n)
-    texts = rr.Points2D.columns(labels=labels)
-    _send_groups(stream, "world/robots/names", rows, mask, texts, n)
+    where = changes(rows.behavior)
+    # Before the first choice it is -1.
+    behavior = rows.behavior[where] + 1
+    look = colors(rr.Points2D.descriptor_colors(), _palette(scenario)[behavior])
+    _send_at(stream, "world/robots", rows, where, look)
+    doing = ["-", *scenario.behaviors]
+    labels = [f"{name}: {word}" for name in scenario.robot_names for word in doing]
+    which = behavior + len(doing) * np.arange(len(scenario.robots))
+    names = texts(rr.Points2D.descriptor_labels(), labels, which)
+    _send_at(stream, "world/robots/names", rows, where, names)
+
+
+def _palette(scenario: Scenario) -> NDArray[np.uint32]:
+    """The colors of no behavior and of all others."""
+    return packed([behavior_color(b) for b in range(-1, len(scenario.behaviors))])
 
 
 def _send_bodies(
@@ -113,26 +125,25 @@ def _send_bodies(
     """Where bodies are and face; their names stand below them."""
     import rerun as rr
 
-    mask = changes(rows.position[:, who], rows.heading[:, who])
-    position = rows.position[mask, who].reshape(-1, 2)
-    angle = rows.heading[mask, who].reshape(-1)
-    arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], 1)
-    n = rows.position[0, who].shape[0]
-    points = rr.Points2D.columns(positions=position)
-    _send_groups(stream, entity, rows, mask, points, n)
-    names = rr.Points2D.columns(positions=position - np.array([0.0, radius]))
-    _send_groups(stream, f"{entity}/names", rows, mask, names, n)
-    heading = rr.Arrows2D.columns(origins=position, vectors=arrows)
-    _send_groups(stream, f"{entity}/heading", rows, mask, heading, n)
+    where = changes(rows.position[:, who], rows.heading[:, who])
+    position, angle = rows.position[where, who], rows.heading[where, who]
+    points = rr.Points2D.descriptor_positions()
+    below = position - np.array([0.0, radius])
+    arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], -1)
+    heading = (
+        vectors(rr.Arrows2D.descriptor_vectors(), arrows),
+        vectors(rr.Arrows2D.descriptor_origins(), position),
+    )
+    _send_at(stream, entity, rows, where, vectors(points, position))
+    _send_at(stream, f"{entity}/names", rows, where, vectors(points, below))
+    _send_at(stream, f"{entity}/heading", rows, where, *heading)
 
 
-def _send_groups(
-    stream: Stream, entity: str, rows: Rows, mask: Mask, columns: object, size: int
+def _send_at(
+    stream: Stream, entity: str, rows: Rows, where: Where, *columns: Any
 ) -> None:
-    """Writes groups of the same size at some of the rows."""
-    count = int(mask.sum())
-    parts = columns.partition(np.full(count, size))  # type: ignore[attr-defined]
-    stream.send(entity, (rows.decision[mask], rows.time[mask]), parts)
+    """Writes columns that have values for some of the rows."""
+    stream.send(entity, (rows.decision[where], rows.time[where]), columns)
 
 
 def _send_series(stream: Stream, rows: Rows, total: NDArray[np.float64]) -> None:
@@ -143,31 +154,31 @@ def _send_series(stream: Stream, rows: Rows, total: NDArray[np.float64]) -> None
     stream.send("reward/sum", moments, rr.Scalars.columns(scalars=sums))
     stream.send("mood", moments, rr.Scalars.columns(scalars=rows.mood))
     # Moments without a touch would draw a line of dots at 0.
-    touched = np.where(rows.reward == 0.0, np.nan, rows.reward)
-    mask = (rows.reward != 0.0).any(axis=1)
-    felt = rr.Scalars.columns(scalars=touched[mask])
-    stream.send("reward/now", (rows.decision[mask], rows.time[mask]), felt)
+    where = np.flatnonzero((rows.reward != 0.0).any(axis=1))
+    reward = rows.reward[where]
+    felt = rr.Scalars.columns(scalars=np.where(reward == 0.0, np.nan, reward))
+    _send_at(stream, "reward/now", rows, where, *felt)
 
 
 def _send_attention(stream: Stream, rows: Rows) -> None:
     import rerun as rr
 
-    mask = changes(rows.attention)
-    cells = heat(rows.attention[mask])
-    image = rr.Image.columns(buffer=cells.reshape(len(cells), -1))
-    stream.send("attention", (rows.decision[mask], rows.time[mask]), image)
+    where = changes(rows.attention)
+    cells = pictures(rr.Image.descriptor_buffer(), heat(rows.attention[where]))
+    _send_at(stream, "attention", rows, where, cells)
 
 
 def _send_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
-    behaviors, activities = [*scenario.behaviors, ""], list(ACTIVITY_NAMES)
-    courses = np.hstack([rows.activity, rows.behavior]).T
-    for lane, course in zip(lanes_of(scenario), courses, strict=True):
-        names = behaviors if lane.startswith("behavior") else activities
-        mask = changes(course)
-        states = rr.StateChange.columns(state=[names[i] for i in course[mask]])
-        stream.send(lane, (rows.decision[mask], rows.time[mask]), states)
+    kind = rr.StateChange.descriptor_state()
+    behaviors = ["", *scenario.behaviors]
+    courses = np.hstack([rows.activity, rows.behavior + 1])
+    for lane, course in zip(lanes_of(scenario), courses.T, strict=True):
+        names = behaviors if lane.startswith("behavior") else ACTIVITY_NAMES
+        where = changes(course)
+        states = texts(kind, names, course[where, None])
+        _send_at(stream, lane, rows, where, states)
 
 
 def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
@@ -178,17 +189,18 @@ def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
     n, unit = len(scenario.robots), second(scenario)
-    end = np.repeat(rows.time * unit, n)
-    lane = np.tile(np.arange(n) * LANE, len(rows))
-    begin = np.stack([end - scenario.decision_period * unit, lane], 1)
-    strips = np.stack([begin, np.stack([end, lane], 1)], 1)
-    strips = strips.astype(np.float32)
-    palette = [behavior_color(b) for b in range(-1, len(scenario.behaviors))]
-    colors = packed(palette)[rows.behavior.reshape(-1) + 1]
-    lanes = rr.LineStrips2D.columns(strips=strips, colors=colors)
-    everything = np.ones(len(rows), dtype=np.bool_)
-    _send_groups(stream, "credit/past/lanes", rows, everything, lanes, n)
-    shift = np.zeros((len(rows), 3), dtype=np.float32)
-    shift[:, 0] = -rows.time * unit
+    end = rows.time * unit
+    pieces = np.empty((len(rows), n, 2, 2), dtype=np.float32)
+    pieces[:, :, 0, 0] = (end - scenario.decision_period * unit)[:, None]
+    pieces[:, :, 1, 0] = end[:, None]
+    pieces[..., 1] = (np.arange(n) * LANE)[:, None]
+    look = _palette(scenario)[rows.behavior + 1]
+    lanes = (
+        strips(rr.LineStrips2D.descriptor_strips(), pieces),
+        colors(rr.LineStrips2D.descriptor_colors(), look),
+    )
     moments = rows.decision, rows.time
+    stream.send("credit/past/lanes", moments, lanes)
+    shift = np.zeros((len(rows), 3), dtype=np.float32)
+    shift[:, 0] = -end
     stream.send("credit/past", moments, rr.Transform3D.columns(translation=shift))

@@ -140,8 +140,7 @@ class Recorder:
         import rerun as rr
 
         decisions, texts = [], []
-        changed = changes(rows.activity, rows.attends)
-        for row in np.flatnonzero(changed).tolist():
+        for row in changes(rows.activity, rows.attends).tolist():
             activity, attends = rows.activity[row], rows.attends[row]
             text = self._document(activity.tobytes(), attends.tobytes())
             if text != self._said:

@@ -5,7 +5,7 @@ and in the modules beside this one, and nowhere else.
 """
 
 import tempfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
 Moments = tuple[NDArray[np.int64], NDArray[np.float64]]
 """Decisions and times [s] of rows."""
-
-ARCHETYPE = "household.State"
-"""Under which exact columns are stored, beside Rerun's own kinds of data."""
 
 
 class Stream:
@@ -131,37 +128,6 @@ class Stream:
         except RuntimeError:
             if not self._watched:
                 raise
-
-
-def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
-    """A column that is stored as it is; Rerun rounds drawn positions to 32 bits.
-
-    Args:
-        name: Of the column.
-        values: Numbers, one row for each moment.
-    """
-    import pyarrow as pa
-
-    flat = np.ascontiguousarray(values).reshape(len(values), -1)
-    if flat.dtype == np.bool_:
-        flat = flat.view(np.uint8)
-    rows = pa.FixedSizeListArray.from_arrays(pa.array(flat.reshape(-1)), flat.shape[1])
-    return _column(name, rows)
-
-
-def words(name: str, values: Sequence[str]) -> "rr.ComponentColumn":
-    """A column of texts, one for each moment."""
-    import pyarrow as pa
-
-    texts = pa.array(list(values), pa.string())
-    return _column(name, pa.FixedSizeListArray.from_arrays(texts, 1))
-
-
-def _column(name: str, rows: Any) -> "rr.ComponentColumn":  # noqa: ANN401 - Arrow
-    import rerun as rr
-
-    descriptor = rr.ComponentDescriptor(f"State:{name}", archetype=ARCHETYPE)
-    return rr.ComponentColumn(descriptor, rr.AnyBatchValue(descriptor, rows))
 
 
 def saved_layout(blueprint: Any, kind: str) -> bytes:  # noqa: ANN401 - Rerun's
