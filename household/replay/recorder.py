@@ -5,7 +5,7 @@ import time
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 import numpy as np
@@ -25,7 +25,7 @@ from household.snapshot import touches
 if TYPE_CHECKING:
     from household.environment import Household
 
-FLUSH_EVERY = 2000
+FLUSH_EVERY = 8000
 """Decisions between writes to the file; a killed process loses no more than these,
 which is a second or so of simulation."""
 
@@ -64,6 +64,7 @@ class Recorder:
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
         self._said = ""
+        self._looked = _looked(scenario)
         self._situations = SituationReader(scenario)
         self._document = lru_cache(maxsize=KEPT)(self._make_document)
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
@@ -139,24 +140,30 @@ class Recorder:
         """The situations in words, at the moments at which the words change."""
         import rerun as rr
 
+        looks = rows.attends[:, *self._looked]
         decisions, texts = [], []
-        for row in changes(rows.activity, rows.attends).tolist():
-            activity, attends = rows.activity[row], rows.attends[row]
-            text = self._document(activity.tobytes(), attends.tobytes())
+        where = changes(rows.activity, looks)
+        for decision, activity, look in zip(
+            rows.decision[where].tolist(),
+            _rows_of_bytes(rows.activity[where]),
+            _rows_of_bytes(looks[where]),
+            strict=True,
+        ):
+            text = self._document(activity, look)
             if text != self._said:
                 self._said = text
                 texts.append(text)
-                decisions.append(int(rows.decision[row]))
+                decisions.append(decision)
         document = rr.TextDocument.columns(text=texts)
         self._stream.send("situation", self._moments(decisions), document)
 
-    def _make_document(self, activity: bytes, attends: bytes) -> str:
+    def _make_document(self, activity: bytes, looks: bytes) -> str:
         """The situations that robots see in words; one line if all see the same."""
         n = len(self._scenario.people) + len(self._scenario.robots)
-        said = self._situations.seen(
-            np.frombuffer(activity, np.int64),
-            np.frombuffer(attends, np.bool_).reshape(n, n),
-        )
+        attends = np.zeros((n, n), np.bool_)
+        part = attends[self._looked]
+        part[:] = np.frombuffer(looks, np.bool_).reshape(part.shape)
+        said = self._situations.seen(np.frombuffer(activity, np.int64), attends)
         if all(situation == said[0] for situation in said):
             return str(said[0])
         told = zip(self._scenario.robot_names, said, strict=True)
@@ -171,6 +178,24 @@ class Recorder:
             scalars = rr.Scalars.columns(scalars=values)
             self._stream.send(f"q/{robot}", moments, scalars)
         self._values.clear()
+
+
+def _looked(scenario: Scenario) -> tuple[slice, slice]:
+    """Whose attention to whom situations tell of, as part of the matrix."""
+    n = len(scenario.people)
+    everybody, nobody = slice(None), slice(0)
+    parts = {
+        "all": (everybody, everybody),
+        "robot": (slice(n), slice(n, None)),
+        "none": (nobody, nobody),
+    }
+    return parts[scenario.situation.attention]
+
+
+def _rows_of_bytes(values: NDArray[Any]) -> list[bytes]:
+    """Each row's bytes, as keys."""
+    whole, width = values.tobytes(), values[:1].nbytes
+    return [whole[i * width : (i + 1) * width] for i in range(len(values))]
 
 
 def _address(watch: bool | str) -> str | None:

@@ -131,7 +131,7 @@ class Buffer:
             begin, ends[kind] = ends[kind], ends[kind] + math.prod(shape)
             part = blocks[kind][:, begin : ends[kind]]
             columns[name] = part.reshape(count, *shape)
-        decision = self._indices[:count, 0]
+        decision = self._indices[:count, 0].copy()
         return Rows(decision=decision, time=decision * self._period, **columns)
 
 

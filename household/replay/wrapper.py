@@ -32,7 +32,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         folder: Path | str,
         *,
         watch: bool | str = False,
-        flush_every: int = 2000,
+        flush_every: int = 8000,
     ) -> None:
         home = isinstance(env.unwrapped, Household)
         if not (home and isinstance(env, ParallelEnv)):
