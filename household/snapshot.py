@@ -6,7 +6,7 @@ the one that was taken, so both draw from either.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,13 +103,13 @@ def snapshot(home: "Household") -> Snapshot:
     robots = home.life.robots
     names = layout(home.scenario)
     reward = rewards(robots) if robots.touched else np.zeros(len(robots.names))
-    arrays = dict(zip(names, (*present(home.life), reward), strict=True))
+    arrays: dict[str, NDArray[Any]] = dict(
+        zip(names, (*present(home.life), reward), strict=True)
+    )
     arrays["half_view"] = arrays["half_view"][: len(home.scenario.people)]
+    copies = {name: array.copy() for name, array in arrays.items()}
     return Snapshot(
-        decision=home.decision,
-        time=home.time,
-        touches=touches(robots),
-        **{name: array.copy() for name, array in arrays.items()},
+        decision=home.decision, time=home.time, touches=touches(robots), **copies
     )
 
 

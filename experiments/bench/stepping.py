@@ -68,13 +68,19 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
 
 
 def recording(settings: Settings) -> Iterator[Measure]:
-    """Yields what a replay file adds to a step."""
+    """Yields what a replay file adds to a step.
+
+    Every turn lasts until a part of the file is written, and contains that.
+    """
     from household.replay.wrapper import RecordEpisodes
 
     calls = settings.steps * STEPS_PER_WRITE // 100
     with TemporaryDirectory() as folder:
         recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
-        subjects = {"plain": Stepping(evening()), "recorded": Stepping(recorder)}
+        subjects = {
+            "plain": PatientStepping(evening()),
+            "recorded": PatientStepping(recorder),
+        }
         times = alternate(subjects, settings.repetitions, calls)
         recorder.close()
     yield Measure(

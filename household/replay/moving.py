@@ -1,6 +1,6 @@
 """What changes from moment to moment, as columns."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from household.replay.rows import NAMES, Rows
 from household.replay.scenery import LANE, lanes_of, second
 from household.replay.stream import Stream
 from household.scenario import Scenario
+
+if TYPE_CHECKING:
+    from rerun import ComponentColumn
 
 ARROW = 0.35
 """Length of the arrow that shows where a body faces [m]."""
@@ -140,7 +143,7 @@ def _send_bodies(
 
 
 def _send_at(
-    stream: Stream, entity: str, rows: Rows, where: Where, *columns: Any
+    stream: Stream, entity: str, rows: Rows, where: Where, *columns: "ComponentColumn"
 ) -> None:
     """Writes columns that have values for some of the rows."""
     stream.send(entity, (rows.decision[where], rows.time[where]), columns)

@@ -5,19 +5,19 @@ import time
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from household.perception.reading import KEPT, SituationReader
 from household.replay.events import Belief, Events
 from household.replay.layout import layout
-from household.replay.moving import changes, send_rows
+from household.replay.moving import send_rows
 from household.replay.process import open_viewer
-from household.replay.rows import Buffer, Rows
+from household.replay.rows import Buffer
 from household.replay.scenery import set_scene
+from household.replay.situations import Situations
 from household.replay.stream import Moments, Stream, moments_of, saved_layout
 from household.scenario import Scenario
 from household.snapshot import touches
@@ -63,10 +63,7 @@ class Recorder:
         self._buffer = Buffer(scenario, flush_every)
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
-        self._said = ""
-        self._looked = _looked(scenario)
-        self._situations = SituationReader(scenario)
-        self._document = lru_cache(maxsize=KEPT)(self._make_document)
+        self._situations = Situations(scenario)
         self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
         self._watch, self._written = bool(watch), time.monotonic()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
@@ -117,7 +114,7 @@ class Recorder:
         self._send_values()
         # Last, so that of a moment that a torn file holds, nothing is missing.
         if len(rows):
-            self._send_situations(rows)
+            self._situations.send(self._stream, rows)
             send_rows(self._stream, self._scenario, rows, self._total)
             self._total = self._total + rows.reward.sum(axis=0)
         self._stream.flush()
@@ -136,39 +133,6 @@ class Recorder:
     def _moments(self, decisions: Sequence[int]) -> Moments:
         return moments_of(decisions, self._scenario.decision_period)
 
-    def _send_situations(self, rows: Rows) -> None:
-        """The situations in words, at the moments at which the words change."""
-        import rerun as rr
-
-        looks = rows.attends[:, *self._looked]
-        decisions, texts = [], []
-        where = changes(rows.activity, looks)
-        for decision, activity, look in zip(
-            rows.decision[where].tolist(),
-            _rows_of_bytes(rows.activity[where]),
-            _rows_of_bytes(looks[where]),
-            strict=True,
-        ):
-            text = self._document(activity, look)
-            if text != self._said:
-                self._said = text
-                texts.append(text)
-                decisions.append(decision)
-        document = rr.TextDocument.columns(text=texts)
-        self._stream.send("situation", self._moments(decisions), document)
-
-    def _make_document(self, activity: bytes, looks: bytes) -> str:
-        """The situations that robots see in words; one line if all see the same."""
-        n = len(self._scenario.people) + len(self._scenario.robots)
-        attends = np.zeros((n, n), np.bool_)
-        part = attends[self._looked]
-        part[:] = np.frombuffer(looks, np.bool_).reshape(part.shape)
-        said = self._situations.seen(np.frombuffer(activity, np.int64), attends)
-        if all(situation == said[0] for situation in said):
-            return str(said[0])
-        told = zip(self._scenario.robot_names, said, strict=True)
-        return "\n".join(f"{robot}: {situation}" for robot, situation in told)
-
     def _send_values(self) -> None:
         import rerun as rr
 
@@ -178,24 +142,6 @@ class Recorder:
             scalars = rr.Scalars.columns(scalars=values)
             self._stream.send(f"q/{robot}", moments, scalars)
         self._values.clear()
-
-
-def _looked(scenario: Scenario) -> tuple[slice, slice]:
-    """Whose attention to whom situations tell of, as part of the matrix."""
-    n = len(scenario.people)
-    everybody, nobody = slice(None), slice(0)
-    parts = {
-        "all": (everybody, everybody),
-        "robot": (slice(n), slice(n, None)),
-        "none": (nobody, nobody),
-    }
-    return parts[scenario.situation.attention]
-
-
-def _rows_of_bytes(values: NDArray[Any]) -> list[bytes]:
-    """Each row's bytes, as keys."""
-    whole, width = values.tobytes(), values[:1].nbytes
-    return [whole[i * width : (i + 1) * width] for i in range(len(values))]
 
 
 def _address(watch: bool | str) -> str | None:

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -120,23 +120,24 @@ class Buffer:
     def take(self) -> Rows:
         """Everything since the last time; valid until the next `put`."""
         count, self._filled = self._filled, 0
-        blocks = {
+        blocks: dict[type, NDArray[Any]] = {
             np.float64: self._numbers[:count],
             np.int64: self._indices[:count, 1:],
             np.bool_: self._marks[:count],
         }
         ends = dict.fromkeys(blocks, 0)
-        columns = {}
+        columns: dict[str, NDArray[Any]] = {}
         for name, (shape, kind) in self._layout.items():
             begin, ends[kind] = ends[kind], ends[kind] + math.prod(shape)
             part = blocks[kind][:, begin : ends[kind]]
             columns[name] = part.reshape(count, *shape)
         decision = self._indices[:count, 0].copy()
-        return Rows(decision=decision, time=decision * self._period, **columns)
+        time = np.asarray(decision * self._period, dtype=np.float64)
+        return Rows(decision=decision, time=time, **columns)
 
 
 @compiled
-def _write(  # noqa: PLR0913 - one array for each thing that is written down
+def _write(  # noqa: PLR0913, PLR0917 - one array for each thing that is written down
     row: int,
     decision: int,
     numbers: Array,

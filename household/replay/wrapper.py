@@ -64,10 +64,11 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
 
     def step(self, actions: dict[str, int]) -> Any:  # noqa: ANN401
         """Makes a step and records it; the last one closes the file."""
-        result = super().step(actions)
-        if self._recorder is not None:
-            self._recorder.record()
-            if not self.agents:
+        env, recorder = self.env, self._recorder
+        result = env.step(actions)
+        if recorder is not None:
+            recorder.record()
+            if not env.agents:
                 self._finish()
         return result
 

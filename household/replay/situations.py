@@ -1,0 +1,104 @@
+"""Situations in words, told when they change."""
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.perception.reading import KEPT, SituationReader
+from household.perception.situation import Situation
+from household.replay.moving import changes
+from household.replay.rows import Rows
+from household.replay.stream import Stream
+from household.scenario import Scenario
+
+Mask = NDArray[np.bool_]
+
+
+class Situations:
+    """Tells the situation that each robot sees.
+
+    What is told follows from who plays what and attends to whom, and recurs: it is read
+    off rows when they are written out, which costs the steps nothing, and remembered.
+
+    Args:
+        scenario: The household.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._reader = SituationReader(scenario)
+        self._attention = scenario.situation.attention
+        self._robots, self._n = scenario.robot_names, len(scenario.people)
+        self._views = len(self._robots) if self._attention == "robot" else 1
+        # A text recurs, and its halves still more often.
+        self._text = lru_cache(maxsize=KEPT)(self._make_text)
+        self._roles = lru_cache(maxsize=KEPT)(self._make_roles)
+        self._sights = lru_cache(maxsize=KEPT)(self._make_sights)
+        self._last = ""
+
+    def send(self, stream: Stream, rows: Rows) -> None:
+        """Writes the situations, at the moments at which the words change."""
+        import rerun as rr
+
+        looks = self._looks(rows.attends)
+        at, texts = [], []
+        where = changes(rows.activity, looks)
+        keys = zip(
+            _bytes_of(rows.activity[where]), _bytes_of(looks[where]), strict=True
+        )
+        for row, (activity, look) in zip(where.tolist(), keys, strict=True):
+            text = self._text(activity, look)
+            if text != self._last:
+                self._last = text
+                texts.append(text)
+                at.append(row)
+        moments = rows.decision[at], rows.time[at]
+        stream.send("situation", moments, rr.TextDocument.columns(text=texts))
+
+    def _looks(self, attends: Mask) -> Mask:
+        """What of the attention situations tell, shape (n_rows, n_views, n_looks).
+
+        Each robot has its own view, or there is one for all.
+        """
+        n = self._n
+        if self._attention == "robot":
+            return np.ascontiguousarray(attends[:, :n, n:].transpose(0, 2, 1))
+        told = attends if self._attention == "all" else attends[:, :0]
+        return told.reshape(len(attends), 1, -1)
+
+    def _make_text(self, activity: bytes, looks: bytes) -> str:
+        """The situations in words; one line if all see the same."""
+        width = len(looks) // self._views
+        roles = self._roles(activity)
+        told = []
+        for view in range(self._views):
+            sights = self._sights(looks[view * width : (view + 1) * width], view)
+            told.append(", ".join(filter(None, (roles, sights))))
+        if all(text == told[0] for text in told):
+            return told[0]
+        pairs = zip(self._robots, told, strict=True)
+        return "\n".join(f"{robot}: {text}" for robot, text in pairs)
+
+    def _make_roles(self, activity: bytes) -> str:
+        """Who plays what, in words."""
+        everybody = self._n + len(self._robots)
+        nothing = np.zeros((everybody, everybody), np.bool_)
+        seen = self._reader.seen(np.frombuffer(activity, np.int64), nothing)
+        return str(Situation(seen[0].plays))
+
+    def _make_sights(self, looks: bytes, view: int) -> str:
+        """Who attends to whom in words, as it is seen from one point of view."""
+        n, everybody = self._n, self._n + len(self._robots)
+        attends = np.zeros((everybody, everybody), np.bool_)
+        parts = {"robot": attends[:n, n + view], "all": attends, "none": attends[:0]}
+        part = parts[self._attention]
+        part[...] = np.frombuffer(looks, np.bool_).reshape(part.shape)
+        seen = self._reader.seen(np.zeros(n, np.int64), attends)
+        return str(Situation((), seen[view].attends))
+
+
+def _bytes_of(values: NDArray[Any]) -> list[bytes]:
+    """Each row's bytes, as keys."""
+    whole, width = values.tobytes(), values[:1].nbytes
+    return [whole[i * width : (i + 1) * width] for i in range(len(values))]
