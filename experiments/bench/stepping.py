@@ -27,8 +27,9 @@ from experiments.bench.peers import installed
 if TYPE_CHECKING:
     from household.environment import Household
 
-STEPS_PER_WRITE = 2000
-"""Steps between writes to a replay file, for 100 steps in a repetition."""
+STEPS_PER_WRITE = 8000
+"""Steps between writes to a replay file, as recorders have it, for 300 steps in a
+repetition."""
 
 OURS = "household, 4 people + 2 robots"
 RESTLESS = "the same, robots never finish"
@@ -74,7 +75,7 @@ def recording(settings: Settings) -> Iterator[Measure]:
     """
     from household.replay.wrapper import RecordEpisodes
 
-    calls = settings.steps * STEPS_PER_WRITE // 100
+    calls = settings.steps * STEPS_PER_WRITE // 300
     with TemporaryDirectory() as folder:
         recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
         subjects = {

@@ -36,7 +36,7 @@ def gaze_cones(
     """
     moments, n = gaze.shape
     outline = np.empty((moments, n, RAYS + 2, 2), np.float32)
-    near = np.empty_like(segments)
+    near = np.empty((len(segments), 5))
     for t in range(moments):
         for i in range(n):
             x, y, half = position[t, i, 0], position[t, i, 1], half_view[t, i]
@@ -78,9 +78,9 @@ def _gather(  # noqa: PLR0913, PLR0917 - Numba passes numbers one by one
 ) -> int:
     """Copies the segments that could be seen to `near`; returns how many.
 
-    There they are where they begin, as seen from (x, y), and how they go on. What
-    lies wholly beyond one edge of the field of view, less than half a circle, cannot
-    be in it.
+    There they are where they begin, as seen from (x, y), how they go on, and the
+    product of the two. What lies wholly beyond one edge of the field of view, less
+    than half a circle, cannot be in it.
     """
     lx, ly = math.cos(gaze + half + EDGE), math.sin(gaze + half + EDGE)
     rx, ry = math.cos(gaze - half - EDGE), math.sin(gaze - half - EDGE)
@@ -101,9 +101,9 @@ def _gather(  # noqa: PLR0913, PLR0917 - Numba passes numbers one by one
             or (rx * ay < ry * ax and rx * by < ry * bx)
         ):
             continue
-        near[count, 0], near[count, 1] = ax, ay
-        near[count, 2] = segments[k, 2] - segments[k, 0]
-        near[count, 3] = segments[k, 3] - segments[k, 1]
+        ex, ey = segments[k, 2] - segments[k, 0], segments[k, 3] - segments[k, 1]
+        near[count, 0], near[count, 1], near[count, 2] = ax, ay, ex
+        near[count, 3], near[count, 4] = ey, ax * ey - ay * ex
         count += 1
     return count
 
@@ -113,17 +113,12 @@ def _free(dx: float, dy: float, near: Array, count: int, reach: float) -> float:
     """How far one sees in the unit direction (dx, dy), past what `_gather` found."""
     free = reach
     for k in range(count):
-        ax, ay, ex, ey = near[k, 0], near[k, 1], near[k, 2], near[k, 3]
-        cross = dx * ey - dy * ex
-        if cross == 0.0:
-            continue
-        # Most are missed, which shows before any division.
-        aside = ax * dy - ay * dx
-        if aside != 0.0 and ((aside < 0.0) != (cross < 0.0)):
-            continue
-        if not 0.0 <= aside / cross <= 1.0:
-            continue
-        along = (ax * ey - ay * ex) / cross
-        if 0.0 <= along < free:
-            free = along
+        cross = dx * near[k, 3] - dy * near[k, 2]
+        aside = near[k, 0] * dy - near[k, 1] * dx
+        # On the line, in front and between its ends, told without a division; without
+        # a jump, too, as what is hit is hard to foresee.
+        ahead = near[k, 4] * cross >= 0.0
+        on = (abs(aside) <= abs(cross)) & (aside * cross >= 0.0) & ahead
+        if on & (cross != 0.0):
+            free = min(free, near[k, 4] / cross)
     return free
