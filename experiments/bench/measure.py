@@ -65,8 +65,9 @@ class Settings:
     repetitions: int = 7
     """Of everything; the median counts."""
 
-    steps: int = 300
-    """Environment steps in a repetition."""
+    steps: int = 1000
+    """Environment steps in a repetition, and as many before the first one: a home keeps
+    the ways that were once searched, and it takes some time until most of them were."""
 
     people: tuple[int, ...] = (1, 2, 4, 8, 16, 32, 64)
     """Households to step, with two robots each."""

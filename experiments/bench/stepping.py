@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from household.environment import Household
 
 STEPS_PER_WRITE = 8000
-"""Steps between writes to a replay file, as recorders have it, for 300 steps in a
+"""Steps between writes to a replay file, as recorders have it, for 1000 steps in a
 repetition."""
 
 OURS = "household, 4 people + 2 robots"
@@ -75,7 +75,7 @@ def recording(settings: Settings) -> Iterator[Measure]:
     """
     from household.replay.wrapper import RecordEpisodes
 
-    calls = settings.steps * STEPS_PER_WRITE // 300
+    calls = settings.steps * STEPS_PER_WRITE // 1000
     with TemporaryDirectory() as folder:
         recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
         subjects = {

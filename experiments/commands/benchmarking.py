@@ -27,7 +27,7 @@ class Bench:
     repetitions: int = 7
     """Of every measurement; the median counts."""
 
-    steps: int = 300
+    steps: int = 1000
     """Environment steps in a repetition."""
 
     def run(self) -> None:
