@@ -98,7 +98,12 @@ class Stepping:
 class PatientStepping(Stepping):
     """Steps a household in which robots finish what they do, as those who learn do."""
 
+    def __post_init__(self) -> None:
+        """Begins an episode."""
+        super().__post_init__()
+        self._is_over = self.env.unwrapped.behavior_over
+
     def __call__(self) -> None:
         """Makes a step; whose behavior is over gets another one."""
-        drawn, over = next(self._actions), self.env.behavior_over
-        self.env.step({agent: drawn[agent] for agent in drawn if over(agent)})
+        drawn, is_over = next(self._actions), self._is_over
+        self.env.step({agent: drawn[agent] for agent in drawn if is_over(agent)})
