@@ -91,33 +91,43 @@ class Settings:
     """In each of the trials, so that a repetition lasts some seconds."""
 
 
+TURNS = 16
+"""Of each subject in a repetition: other work on the machine comes and goes."""
+
+
 def alternate(
     subjects: Mapping[str, Callable[[], object]], repetitions: int, calls: int
 ) -> dict[str, list[float]]:
     """Times several things in turn.
 
     Args:
-        subjects: What to call, by name; each is called some times to warm up first.
-        repetitions: Rounds in which each has its turn.
-        calls: In a turn.
+        subjects: What to call, by name; each is called as often first, to warm up.
+        repetitions: How often all of it is done.
+        calls: Of each in a repetition, at least; in several short turns.
 
     Returns:
-        For each name the processor's time of one call in each round [s].
+        For each name the processor's time of one call in each repetition [s].
     """
+    turns = min(TURNS, calls)
+    each = -(-calls // turns)
     for call in subjects.values():
         _turn(call, calls)
-    rounds = [
-        {name: _turn(call, calls) for name, call in subjects.items()}
-        for _ in range(repetitions)
-    ]
-    return {name: [found[name] for found in rounds] for name in subjects}
+    times: dict[str, list[float]] = {name: [] for name in subjects}
+    for _ in range(repetitions):
+        spent = dict.fromkeys(subjects, 0.0)
+        for _ in range(turns):
+            for name, call in subjects.items():
+                spent[name] += _turn(call, each)
+        for name, seconds in spent.items():
+            times[name].append(seconds / (turns * each))
+    return times
 
 
 def _turn(call: Callable[[], object], calls: int) -> float:
     begin = time.process_time()
     for _ in range(calls):
         call()
-    return (time.process_time() - begin) / calls
+    return time.process_time() - begin
 
 
 def exponent(measures: Sequence[Measure], at_most: float) -> Measure:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import statistics
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -31,9 +30,6 @@ if TYPE_CHECKING:
 STEPS_PER_WRITE = 8000
 """Steps between writes to a replay file, as recorders have it, for 1000 steps in a
 repetition."""
-
-TURNS = 16
-"""Of each until a part of the file is written."""
 
 OURS = "household, 4 people + 2 robots"
 RESTLESS = "the same, robots never finish"
@@ -75,21 +71,19 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
 def recording(settings: Settings) -> Iterator[Measure]:
     """Yields what a replay file adds to a step.
 
-    They take many short turns, as other work on the machine comes and goes; a
-    repetition lasts until a part of the file is written, and contains that.
+    A repetition lasts until a part of the file is written, and contains that.
     """
     from household.replay.wrapper import RecordEpisodes
 
-    calls = max(settings.steps * STEPS_PER_WRITE // 1000 // TURNS, 1)
+    calls = settings.steps * STEPS_PER_WRITE // 1000
     with TemporaryDirectory() as folder:
-        recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls * TURNS)
+        recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
         subjects = {
             "plain": PatientStepping(evening()),
             "recorded": PatientStepping(recorder),
         }
-        turns = alternate(subjects, settings.repetitions * TURNS, calls)
+        times = alternate(subjects, settings.repetitions, calls)
         recorder.close()
-    times = {name: _means(each, TURNS) for name, each in turns.items()}
     yield Measure(
         part="recording",
         name="recorded step / plain step",
@@ -97,11 +91,6 @@ def recording(settings: Settings) -> Iterator[Measure]:
         values=ratios(times["recorded"], times["plain"]),
         at_most=1.2,
     )
-
-
-def _means(values: list[float], n: int) -> list[float]:
-    """The means of n values after one another."""
-    return [statistics.fmean(values[i : i + n]) for i in range(0, len(values), n)]
 
 
 def growth(settings: Settings) -> Iterator[Measure]:
