@@ -91,24 +91,30 @@ class Settings:
     """In each of the trials, so that a repetition lasts some seconds."""
 
 
-TURNS = 16
-"""Of each subject in a repetition: other work on the machine comes and goes."""
+SHORT_TURNS = 16
+"""In a repetition, where the same code is compared with itself: other work on the
+machine comes and goes. Beside other programs turns are long, as each one finds the
+processor's caches full of the other's."""
 
 
 def alternate(
-    subjects: Mapping[str, Callable[[], object]], repetitions: int, calls: int
+    subjects: Mapping[str, Callable[[], object]],
+    repetitions: int,
+    calls: int,
+    turns: int = 1,
 ) -> dict[str, list[float]]:
     """Times several things in turn.
 
     Args:
         subjects: What to call, by name; each is called as often first, to warm up.
         repetitions: How often all of it is done.
-        calls: Of each in a repetition, at least; in several short turns.
+        calls: Of each in a repetition, at least.
+        turns: In which a repetition is done.
 
     Returns:
         For each name the processor's time of one call in each repetition [s].
     """
-    turns = min(TURNS, calls)
+    turns = min(turns, calls)
     each = -(-calls // turns)
     for call in subjects.values():
         _turn(call, calls)

@@ -15,6 +15,7 @@ from experiments.bench.homes import (
     household,
 )
 from experiments.bench.measure import (
+    SHORT_TURNS,
     Measure,
     Settings,
     alternate,
@@ -82,7 +83,7 @@ def recording(settings: Settings) -> Iterator[Measure]:
             "plain": PatientStepping(evening()),
             "recorded": PatientStepping(recorder),
         }
-        times = alternate(subjects, settings.repetitions, calls)
+        times = alternate(subjects, settings.repetitions, calls, SHORT_TURNS)
         recorder.close()
     yield Measure(
         part="recording",
@@ -109,7 +110,7 @@ def _largest(settings: Settings) -> Iterator[Measure]:
     """Yields the largest household beside the usual one."""
     most = household(max(settings.people), max(settings.robots))
     subjects = {"large": Stepping(most), "small": Stepping(household(4, 2))}
-    times = alternate(subjects, settings.repetitions, settings.steps)
+    times = alternate(subjects, settings.repetitions, settings.steps, SHORT_TURNS)
     large = f"{max(settings.people)} people + {max(settings.robots)} robots"
     yield Measure(
         part="largest household",

@@ -160,5 +160,8 @@ def test_what_is_compared_is_called_in_turn():
     calls = []
     subjects = {name: lambda name=name: calls.append(name) for name in "ab"}
     times = alternate(subjects, repetitions=2, calls=2)
-    assert "".join(calls) == "aabb" + "abab" * 2
+    assert "".join(calls) == "aabb" * 3
     assert [len(each) for each in times.values()] == [2, 2]
+    calls.clear()
+    alternate(subjects, repetitions=1, calls=4, turns=2)
+    assert "".join(calls) == "aaaabbbb" + "aabb" * 2
