@@ -8,3 +8,6 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 Mask = NDArray[np.bool_]
+
+NOBODY = -1
+"""In an array of indices: none of them."""

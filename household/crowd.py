@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import Indices
+from household.arrays import NOBODY, Indices
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
@@ -24,7 +24,7 @@ from household.locomotion import (
     turn_heads,
 )
 from household.records import Point
-from household.walking import NOBODY, walk_freely
+from household.walking import walk_freely
 from household.world import World
 
 if TYPE_CHECKING:

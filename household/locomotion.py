@@ -7,6 +7,7 @@ times in each decision, over all pairs of bodies.
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import NOBODY, Indices
 from household.compiled import compiled
 
 Array = NDArray[np.float64]
@@ -186,6 +187,26 @@ def astray(
         else:
             lost[i] = not _is_at(position[i], goals[i], settled[i])
     return bool(lost.any())
+
+
+@compiled
+def within_reach(position: Array, quarry: Indices, reach: float, near: Mask) -> bool:
+    """Who has come near to whom it is after.
+
+    Args:
+        position: Shape (n, 2) [m].
+        quarry: Whom each of the first m bodies is after, `NOBODY` for none, shape (m,).
+        reach: How near that is [m].
+        near: Set to who has, shape (m,).
+
+    Returns:
+        Whether anybody has.
+    """
+    for i in range(len(quarry)):
+        near[i] = False
+        if quarry[i] != NOBODY:
+            near[i] = _apart(position[i], position[quarry[i]]) <= reach
+    return bool(near.any())
 
 
 @compiled

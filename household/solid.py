@@ -132,19 +132,16 @@ def touches(
 @compiled
 def _gap(a: Point, b: Point, segment: Array) -> float:
     """Distance between the line from a to b and a segment that it does not cross."""
-    one, other = (segment[0], segment[1]), (segment[2], segment[3])
-    least = min(_away(a, one, other), _away(b, one, other))
-    return min(least, min(_away(one, a, b), _away(other, a, b)))
+    one, other = _ends(segment)
+    ends = min(_away(a, one, other), _away(b, one, other))
+    return min(ends, min(_away(one, a, b), _away(other, a, b)))
 
 
 @compiled
 def _away(point: Point, one: Point, other: Point) -> float:
     """Distance of a point from the line between two others."""
-    dx, dy = other[0] - one[0], other[1] - one[1]
-    ox, oy = point[0] - one[0], point[1] - one[1]
-    along = (ox * dx + oy * dy) / max(dx * dx + dy * dy, 1e-12)
-    along = min(max(along, 0.0), 1.0)
-    return np.hypot(ox - along * dx, oy - along * dy)
+    x, y = _offset(point, one, other)
+    return np.sqrt(x * x + y * y)
 
 
 @compiled
@@ -178,7 +175,7 @@ def _pushed_out(
     x, y = b
     for k in close:
         least = radius + thickness[k]
-        gx, gy = _offset((x, y), segments, k)
+        gx, gy = _offset((x, y), *_ends(segments[k]))
         gap = np.sqrt(gx * gx + gy * gy)
         if 1e-9 < gap < least:
             x += gx / gap * (least - gap)
@@ -192,18 +189,22 @@ def _fits(
 ) -> bool:
     """Whether a body overlaps no segment, but for a little."""
     for k in close:
-        gx, gy = _offset(b, segments, k)
-        if np.sqrt(gx * gx + gy * gy) < radius + thickness[k] - WEDGED:
+        if _away(b, *_ends(segments[k])) < radius + thickness[k] - WEDGED:
             return False
     return True
 
 
 @compiled
-def _offset(b: Point, segments: Array, k: int) -> Point:
-    """From the nearest point of a segment to a body's middle."""
-    x1, y1, x2, y2 = segments[k]
-    dx, dy = x2 - x1, y2 - y1
-    ox, oy = b[0] - x1, b[1] - y1
+def _ends(segment: Array) -> tuple[Point, Point]:
+    """Where a segment begins and ends."""
+    return (segment[0], segment[1]), (segment[2], segment[3])
+
+
+@compiled
+def _offset(point: Point, one: Point, other: Point) -> Point:
+    """From the nearest point of the line between two others to a point."""
+    dx, dy = other[0] - one[0], other[1] - one[1]
+    ox, oy = point[0] - one[0], point[1] - one[1]
     along = (ox * dx + oy * dy) / max(dx * dx + dy * dy, 1e-12)
     along = min(max(along, 0.0), 1.0)
     return ox - along * dx, oy - along * dy

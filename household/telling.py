@@ -20,7 +20,7 @@ REACH = 10.0
 """Distances are given in units of this [m], cut at 1: about the size of a home."""
 
 N_ROLES = len(Activity)
-NOBODY = int(Activity.UNKNOWN)
+NO_ROLE = int(Activity.UNKNOWN)
 """The role in a slot for a person that the household does not have."""
 
 
@@ -145,7 +145,7 @@ def tell_situations(
         attends: As in `View`.
     """
     n_people = len(activity)
-    activities[:] = NOBODY
+    activities[:] = NO_ROLE
     attention[:] = 0
     for robot in range(len(activities)):
         for i in range(n_people):

@@ -8,11 +8,8 @@ import numpy as np
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.locomotion import follow_up, steer
+from household.locomotion import follow_up, steer, within_reach
 from household.solid import touches
-
-NOBODY = -1
-"""In place of a body."""
 
 MARGIN = 0.001
 """Bodies that come this near to each other [m] are left to the engine."""
@@ -68,6 +65,7 @@ def walk_freely(
     """
     period = ticks * tick
     due[:] = False
+    near_quarry = np.empty(len(quarry), np.bool_)
     for passed in range(periods):
         steer(position, waypoint, pace, radius, period, heading, velocity)
         if not (
@@ -83,20 +81,9 @@ def walk_freely(
         anybody, _ = follow_up(
             before, position, waypoint, near, pace, nearest, stalled, due, period
         )
-        if anybody or _has_caught_up(position, quarry, reach):
+        if anybody or within_reach(position, quarry, reach, near_quarry):
             return passed + 1, anybody
     return periods, False
-
-
-@compiled
-def _has_caught_up(position: Floats, quarry: Indices, reach: float) -> bool:
-    """Whether anybody has come within reach of its quarry."""
-    for i in range(len(quarry)):
-        if quarry[i] != NOBODY:
-            gap = position[i] - position[quarry[i]]
-            if np.hypot(gap[0], gap[1]) <= reach:
-                return True
-    return False
 
 
 @compiled

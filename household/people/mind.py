@@ -19,9 +19,6 @@ from household.people.feedback import Cause, Kind
 OWN_ACTIVITY = -1
 """To look at the object of the own activity, or at the way ahead in walking."""
 
-NOBODY = -1
-"""In place of a robot."""
-
 
 @dataclass(frozen=True, slots=True)
 class Wish:

@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
 from household.crowd import Crowd
+from household.locomotion import within_reach
 from household.people.appraisal import Appraisals
 from household.people.feelings import Feelings
 from household.people.mind import (
-    NOBODY,
     OWN_ACTIVITY,
     Intentions,
     Minds,
@@ -203,7 +203,8 @@ class People:
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
         """The touches that people can give from where they stand, and who can."""
         near = self._near
-        if not (self._wishes and _find_near(crowd.position, self.quarry, near)):
+        at_all = self._wishes and within_reach(crowd.position, self.quarry, REACH, near)
+        if not at_all:
             return []
         return [
             (i, wish)
@@ -257,21 +258,6 @@ class People:
             crowd.position,
             crowd.heading,
         )
-
-
-@compiled
-def _find_near(position: Floats, quarry: Indices, near: Mask) -> bool:
-    """Marks who is as ``near`` to what it is out to touch as its hand reaches.
-
-    Returns:
-        Whether anybody is.
-    """
-    for i in range(len(quarry)):
-        near[i] = False
-        if quarry[i] != NOBODY:
-            gap = position[i] - position[quarry[i]]
-            near[i] = np.hypot(gap[0], gap[1]) <= REACH
-    return bool(near.any())
 
 
 @compiled

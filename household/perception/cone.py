@@ -67,7 +67,7 @@ def gaze_cones(
 
 
 @compiled
-def _gather(  # noqa: PLR0913, PLR0917 - Numba passes numbers one by one
+def _gather(
     x: float,
     y: float,
     gaze: float,

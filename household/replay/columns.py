@@ -12,13 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
+    import pyarrow as pa
     import rerun as rr
+
+    Kind = rr.ComponentDescriptor
 
 ARCHETYPE = "household.State"
 """Under which exact columns are stored, beside Rerun's own kinds of data."""
 
 
-def vectors(kind: Any, values: NDArray[Any]) -> "rr.ComponentColumn":  # noqa: ANN401
+def vectors(kind: "Kind", values: NDArray[Any]) -> "rr.ComponentColumn":
     """Points or arrows.
 
     Args:
@@ -28,7 +31,7 @@ def vectors(kind: Any, values: NDArray[Any]) -> "rr.ComponentColumn":  # noqa: A
     return _column(kind, _vectors(values), values.shape[1])
 
 
-def strips(kind: Any, values: NDArray[Any]) -> "rr.ComponentColumn":  # noqa: ANN401
+def strips(kind: "Kind", values: NDArray[Any]) -> "rr.ComponentColumn":
     """Lines of equally many points, shape (n_moments, n, n_points, 2)."""
     import pyarrow as pa
 
@@ -39,7 +42,7 @@ def strips(kind: Any, values: NDArray[Any]) -> "rr.ComponentColumn":  # noqa: AN
     return _column(kind, lines, n)
 
 
-def colors(kind: Any, values: NDArray[np.uint32]) -> "rr.ComponentColumn":  # noqa: ANN401
+def colors(kind: "Kind", values: NDArray[np.uint32]) -> "rr.ComponentColumn":
     """Packed colors, shape (n_moments, n)."""
     import pyarrow as pa
 
@@ -47,7 +50,7 @@ def colors(kind: Any, values: NDArray[np.uint32]) -> "rr.ComponentColumn":  # no
 
 
 def texts(
-    kind: Any,  # noqa: ANN401
+    kind: "Kind",
     among: Sequence[str],
     which: NDArray[np.int64],
 ) -> "rr.ComponentColumn":
@@ -64,7 +67,7 @@ def texts(
     return _column(kind, chosen, which.shape[1])
 
 
-def pictures(kind: Any, values: NDArray[np.uint8]) -> "rr.ComponentColumn":  # noqa: ANN401
+def pictures(kind: "Kind", values: NDArray[np.uint8]) -> "rr.ComponentColumn":
     """One picture at each moment, its bytes in shape (n_moments, ...)."""
     import pyarrow as pa
 
@@ -104,7 +107,7 @@ def _state(name: str) -> "rr.ComponentDescriptor":
     return rr.ComponentDescriptor(f"State:{name}", archetype=ARCHETYPE)
 
 
-def _vectors(values: NDArray[Any]) -> Any:  # noqa: ANN401 - Arrow
+def _vectors(values: NDArray[Any]) -> "pa.Array":
     import pyarrow as pa
 
     flat = pa.array(values.astype(np.float32, copy=False).reshape(-1))
@@ -117,7 +120,7 @@ def _offsets(count: int, size: int) -> NDArray[np.int32]:
     return np.arange(0, count + 1, size, dtype=np.int32)
 
 
-def _column(kind: Any, values: Any, size: int) -> "rr.ComponentColumn":  # noqa: ANN401
+def _column(kind: "Kind", values: "pa.Array", size: int) -> "rr.ComponentColumn":
     import rerun as rr
 
     offsets = _offsets(len(values), size)

@@ -137,7 +137,7 @@ class Buffer:
 
 
 @compiled
-def _write(  # noqa: PLR0913, PLR0917 - one array for each thing that is written down
+def _write(
     row: int,
     decision: int,
     numbers: Array,

@@ -5,9 +5,8 @@ from typing import Protocol
 
 import numpy as np
 
-from household.arrays import Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.mind import NOBODY
 
 
 class Doing(Protocol):

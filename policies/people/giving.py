@@ -6,9 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.mind import NOBODY, Percepts, Wish
+from household.people.mind import Percepts, Wish
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
 from household.streams import Draws

@@ -5,10 +5,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
 from household.people.mind import (
-    NOBODY,
     OWN_ACTIVITY,
     Intentions,
     Minds,

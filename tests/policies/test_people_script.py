@@ -9,8 +9,9 @@ import pytest
 
 from household import household_v0
 from household.activity import Activity
+from household.arrays import NOBODY
 from household.people.individuals import Intention
-from household.people.mind import NOBODY, OWN_ACTIVITY
+from household.people.mind import OWN_ACTIVITY
 from household.people.persona import Persona
 from household.scenario import PersonSpec, ScriptStep, Stay
 from policies.people.doings import Doings
