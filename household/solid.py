@@ -18,7 +18,8 @@ ROUNDS = 3
 """How often a body is pushed out: a corner pushes it from one side to the other."""
 
 PUSHED = 0.5
-"""How far walls push a body at most [m]: only what is closer is looked at."""
+"""How far walls push a body at most [m]: only what is closer is looked at, and who
+would be pushed further goes back."""
 
 WEDGED = 0.005
 """Who still overlaps by more after that [m] was pressed to where it does not fit."""
@@ -65,9 +66,12 @@ def keep_out(
             if pushed == b:
                 break
             b, moved[i] = pushed, True
-        # A push may lead into a gap too narrow, or through the other side of it.
+        # A push may lead into a gap too narrow, through the other side of it, or to
+        # where nobody has looked.
+        aside = max(abs(b[0] - after[i, 0]), abs(b[1] - after[i, 1]))
         if moved[i] and (
-            _goes_through(a, b, segments, close)
+            (b != a and aside > PUSHED)
+            or _goes_through(a, b, segments, close)
             or not _fits(b, radius[i], segments, thickness, close)
         ):
             b = a
