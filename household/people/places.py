@@ -15,16 +15,13 @@ from household.records import Point
 EDGE = 0.1
 """How far inside its region a spot lies [m], as far as a body lets itself be pushed."""
 
-BODY = 0.5
-"""Distance between people who stand side by side [m]: two radii."""
-
 SPOTS_ON_RING = 6
 
 NOWHERE = -1
 """In place of a region."""
 
 APART = 0.5
-"""Least distance between two who begin an episode [m]: two bodies side by side."""
+"""Least distance between two who stand in nobody's way [m]: two bodies side by side."""
 
 
 class Places:
@@ -54,7 +51,7 @@ class Places:
             ]
             for r in plan.regions
         ]
-        self._claims: dict[int, tuple[int, int]] = {}
+        self._claims: dict[int, tuple[int, Point]] = {}
 
     @property
     def centers(self) -> Floats:
@@ -88,14 +85,16 @@ class Places:
     def claim(self, person: int, region: int) -> Point:
         """The spot of a region where a person goes: its own, else the first free.
 
-        When all are taken, people crowd in the middle.
+        When all are taken, the person waits beside them, where it is in nobody's way.
         """
-        mine = self._claims.get(person)
-        if mine is None or mine[0] != region:
-            taken = {spot for r, spot in self._claims.values() if r == region}
-            free = (i for i in range(len(self._spots[region])) if i not in taken)
-            self._claims[person] = (region, next(free, 0))
-        return self._spots[region][self._claims[person][1]]
+        place, spot = self._claims.get(person, (NOWHERE, (0.0, 0.0)))
+        if place != region:
+            taken = [spot for r, spot in self._claims.values() if r == region]
+            spots = self._spots[region]
+            free = (spot for spot in spots if spot not in taken)
+            spot = next(free, None) or self.beside(spots[0], taken)
+            self._claims[person] = (region, spot)
+        return spot
 
     def beside(self, spot: Point, taken: Sequence[Point]) -> Point:
         """The spot itself, or where it is taken, a free one as near as may be.
@@ -130,7 +129,7 @@ def place_of(point: Floats, circles: Floats) -> int:
 def _spots(region: Region) -> list[Point]:
     """The middle of a region and, if it is wide enough, a ring of spots round it."""
     ring = region.radius - EDGE
-    if ring < BODY:
+    if ring < APART:
         return [region.center]
     return [region.center, *_ring(region.center, ring, SPOTS_ON_RING)]
 
