@@ -16,28 +16,22 @@ from household.home.routes import routes_of
 from household.locomotion import (
     CROWDED,
     DRIFT,
-    STUCK,
     arrived,
     astray,
     follow_up,
+    is_stuck,
     steer,
     turn_heads,
 )
 from household.records import Point
 from household.walking import walk_freely
+from household.ways import Ways
 from household.world import World
 
 if TYPE_CHECKING:
     from pymunk import Space
 
 Array = NDArray[np.float64]
-Waypoints = list[Point]
-
-PASSED = 0.15
-"""Distance at which a waypoint on the way counts as passed [m]."""
-
-ARRIVED = 0.05
-"""Distance at which a walk ends [m]."""
 
 SIDESTEP = 0.7
 """How far a walker that is stuck steps aside before it goes on [m]."""
@@ -66,7 +60,7 @@ class Crowd:
         heading: Where every body faces, shape (n,) [rad].
         gaze: Where every head points, shape (n,) [rad].
         walking: Who is on its way somewhere, shape (n,).
-        walk_began: Since when each has been walking, shape (n,), NaN if it stands [s].
+        walk_began: When each began the walk that it is on, or was on last, (n,) [s].
     """
 
     def __init__(
@@ -84,17 +78,12 @@ class Crowd:
         self._radius, self._speed = radius, speed
         self._period, self._tick = steering_period, physics_period
         self._ticks = round(steering_period / physics_period)
-        self._ways: list[Waypoints] = [[] for _ in range(n)]
-        self._waypoint = np.zeros((n, 2))
-        self._near = np.zeros(n)
-        self._pace = np.zeros(n)
+        self._ways = Ways(n)
         self.walking = np.zeros(n, np.bool_)
         self._lost = np.zeros(n, np.bool_)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
-        self._due = np.zeros(n, np.bool_)
         self._sidesteps = 0
-        self._end = np.zeros((n, 2))
         self._settled = np.full((n, 2), np.nan)
         self._pushed = False
         self._where: list[Point] | None = None
@@ -109,12 +98,9 @@ class Crowd:
         self._stand(position.copy())
         self.heading = heading.copy()
         self.gaze = heading.copy()
-        self._pace[:] = 0.0
         self.walking[:] = False
         self._sidesteps = 0
-        self._ways = [[] for _ in self._ways]
         self._settled[:] = np.nan
-        self.walk_began[:] = np.nan
         self._pushed = False
 
     @property
@@ -131,7 +117,11 @@ class Crowd:
 
     def walks(self, i: int) -> bool:
         """Whether a body is on its way somewhere."""
-        return bool(self._ways[i])
+        return bool(self.walking[i])
+
+    def walks_since(self, i: int) -> float | None:
+        """Since when a body has been on its way, None if it stands [s]."""
+        return float(self.walk_began[i]) if self.walks(i) else None
 
     def is_bound_for(self, i: int, goal: Point) -> bool:
         """Whether a body is at a point, on its way there, or as near as others let it.
@@ -141,7 +131,7 @@ class Crowd:
             goal: [m].
         """
         if self.walks(i):
-            return math.dist(self._ways[i][-1], goal) <= DRIFT
+            return math.dist(self._ways.left(i)[-1], goal) <= DRIFT
         crowded = math.dist(self._settled[i].tolist(), goal) <= DRIFT
         away = math.dist(self.where[i], goal)
         return away <= (CROWDED if crowded else DRIFT)
@@ -163,7 +153,13 @@ class Crowd:
         """
         lost = self._lost[: len(goals)]
         anybody = astray(
-            goals, self.position, self.walking, self._end, self._settled, lost
+            goals,
+            self.position,
+            self.walking,
+            self._ways.points,
+            self._ways.count,
+            self._settled,
+            lost,
         )
         return (
             [i for i, is_lost in enumerate(lost.tolist()) if is_lost] if anybody else []
@@ -180,24 +176,21 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        way = self._routes.plan(self.where[i], goal, self._ways[i])
+        on_its_way = self.walks(i)
+        before = self._ways.left(i) if on_its_way else ()
+        way = self._routes.plan(self.where[i], goal, before)
         if not way:
             self.halt(i)
             return False
-        if not self.walks(i):
+        if not on_its_way:
             self.walk_began[i] = now
         self._take(i, way)
-        self._pace[i] = self._speed[i]
-        self.walking[i] = True
         self._settled[i] = math.nan
         return True
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
-        self._ways[i] = []
-        self._pace[i] = 0.0
         self.walking[i] = False
-        self.walk_began[i] = np.nan
 
     def advance(
         self, periods: int = 1, quarry: Indices = NO_QUARRY, reach: float = 0.0
@@ -213,36 +206,37 @@ class Crowd:
             How many have passed: fewer, if somebody has something to decide, such as
             who may be within reach of its quarry.
         """
-        if not (self._pushed or any(self._ways)):
+        if not (self._pushed or True in self.walking.tolist()):
             return periods if set(quarry.tolist()) <= {NOBODY} else 1
-        passed, due = 0, False
+        passed, stuck = 0, False
         if not self._pushed:
-            passed, due = self._walk_freely(periods, quarry, reach)
+            passed, stuck = self._walk_freely(periods, quarry, reach)
         if passed == 0:
-            passed, due = 1, self._push_on()
-        if due:
-            self._decide()
+            passed, stuck = 1, self._push_on()
+        if stuck:
+            self._free_the_stuck()
         return passed
 
     def _walk_freely(
         self, periods: int, quarry: Indices, reach: float
     ) -> tuple[int, bool]:
         """Walks for some periods, as long as nobody may touch anything."""
-        position = self.position.copy()
-        passed, due = walk_freely(
+        position, ways, world = self.position.copy(), self._ways, self._world
+        passed, stuck = walk_freely(
             position,
-            self._world.velocity,
+            world.velocity,
             self.heading,
-            self._waypoint,
-            self._near,
-            self._pace,
+            ways.points,
+            ways.at,
+            ways.count,
+            self.walking,
             self._nearest,
             self._stalled,
-            self._due,
+            self._speed,
             self._radius,
-            self._world.solid,
-            self._world.thickness,
-            self._world.boxes,
+            world.solid,
+            world.thickness,
+            world.boxes,
             quarry,
             reach,
             periods,
@@ -251,15 +245,17 @@ class Crowd:
         )
         if passed:
             self._stand(position)
-        return passed, due
+        return passed, stuck
 
     def _push_on(self) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
-        before, world = self.position, self._world
+        before, ways, world = self.position, self._ways, self._world
         steer(
             before,
-            self._waypoint,
-            self._pace,
+            ways.points,
+            ways.at,
+            self.walking,
+            self._speed,
             self._radius,
             self._period,
             self.heading,
@@ -267,57 +263,41 @@ class Crowd:
         )
         self._stand(world.advance(before, self._tick, self._ticks))
         # Bodies that were pushed come to rest in the period after.
-        due, self._pushed = follow_up(
+        stuck, self._pushed = follow_up(
             before,
             self.position,
-            self._waypoint,
-            self._near,
-            self._pace,
+            ways.points,
+            ways.at,
+            ways.count,
+            self.walking,
             self._nearest,
             self._stalled,
-            self._due,
             self._period,
         )
-        return due
+        return stuck
 
-    def _decide(self) -> None:
-        """Who is at its waypoint heads for the next, who is stuck tries another way."""
-        for i, due in enumerate(self._due.tolist()):
-            if due and self._stalled[i] >= STUCK:
+    def _free_the_stuck(self) -> None:
+        """Who is stuck tries another way."""
+        for i, stalled in enumerate(self._stalled.tolist()):
+            if self.walks(i) and is_stuck(stalled):
                 self._try_another_way(i)
-            elif due:
-                self._pass_waypoint(i)
 
     def _stand(self, position: Array) -> None:
         """Everybody is somewhere else now."""
         self.position = position
         self._where = None
 
-    def _pass_waypoint(self, i: int) -> None:
-        self._ways[i] = self._ways[i][1:]
-        if self._ways[i]:
-            self._head_on(i)
-        else:
-            self.halt(i)
-
-    def _take(self, i: int, way: Waypoints) -> None:
+    def _take(self, i: int, way: list[Point]) -> None:
         """Sets out on a way."""
-        self._ways[i] = way
-        self._end[i, 0], self._end[i, 1] = way[-1]
-        self._head_on(i)
-
-    def _head_on(self, i: int) -> None:
-        """Heads for the first waypoint of what is left of the way."""
-        way = self._ways[i]
-        self._waypoint[i, 0], self._waypoint[i, 1] = way[0]
-        self._near[i] = PASSED if len(way) > 1 else ARRIVED
+        self._ways.set_out(i, way)
+        self.walking[i] = True
         self._nearest[i] = math.inf
         self._stalled[i] = 0.0
 
     def _try_another_way(self, i: int) -> None:
         """Settles for a place near the goal, or steps aside and plans anew."""
         self._stalled[i] = 0.0
-        goal = self._ways[i][-1]
+        goal = self._ways.left(i)[-1]
         if math.dist(self.where[i], goal) <= CROWDED:
             self.halt(i)
             self._settled[i] = goal

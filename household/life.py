@@ -176,7 +176,7 @@ class Life:
             time=now,
             mood=float(self.moods[wish.robot, i]),
             attending=bool(self.senses.attends[i, j]),
-            approach_began=_known(self.crowd.walk_began[i]),
+            approach_began=self.crowd.walks_since(i),
             attention_began=_known(self.senses.attention_began[i, j]),
         )
         self.robots.feel(wish.robot, feedback, wish.cause)

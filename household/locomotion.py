@@ -31,6 +31,12 @@ CROWDED = 1.0
 NECK = np.pi / 2
 """How far a head turns from the body [rad]."""
 
+PASSED = 0.15
+"""Distance at which a waypoint on the way counts as passed [m]."""
+
+ARRIVED = 0.05
+"""Distance at which a walk ends [m]."""
+
 STILL = 1e-4
 """How far a body moves at most that is at rest, between two looks [m]; the engine parts
 bodies ever more slowly."""
@@ -39,7 +45,9 @@ bodies ever more slowly."""
 @compiled
 def steer(
     position: Array,
-    waypoint: Array,
+    points: Array,
+    at: Indices,
+    walking: Mask,
     speed: Array,
     radius: Array,
     period: float,
@@ -54,8 +62,10 @@ def steer(
 
     Args:
         position: Shape (n, 2) [m].
-        waypoint: Where each is heading, shape (n, 2) [m].
-        speed: Shape (n,) [m/s]; 0: stands.
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,).
+        walking: Shape (n,).
+        speed: Of each that walks, shape (n,) [m/s].
         radius: Of each body, shape (n,) [m].
         period: Time until the next steering [s].
         heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
@@ -65,10 +75,12 @@ def steer(
     n = position.shape[0]
     velocity[:] = 0.0
     for i in range(n):
-        dx = waypoint[i, 0] - position[i, 0]
-        dy = waypoint[i, 1] - position[i, 1]
+        if not walking[i]:
+            continue
+        dx = points[i, at[i], 0] - position[i, 0]
+        dy = points[i, at[i], 1] - position[i, 1]
         away = np.sqrt(dx * dx + dy * dy)
-        if speed[i] <= 0.0 or away < 1e-9:
+        if away < 1e-9:
             continue
         dx /= away
         dy /= away
@@ -96,50 +108,55 @@ def steer(
 def follow_up(
     before: Array,
     position: Array,
-    waypoint: Array,
-    near: Array,
-    pace: Array,
+    points: Array,
+    at: Indices,
+    count: Indices,
+    walking: Mask,
     nearest: Array,
     stalled: Array,
-    due: NDArray[np.bool_],
     period: float,
 ) -> tuple[bool, bool]:
-    """Notes how every walker came on.
+    """Notes how every walker came on: who is at its waypoint heads for the next.
 
     Args:
         before: Where everybody was, shape (n, 2) [m].
         position: Where everybody is, shape (n, 2) [m].
-        waypoint: Where each is heading, shape (n, 2) [m].
-        near: Distance at which the waypoint counts as reached, shape (n,) [m].
-        pace: Shape (n,) [m/s]; 0: stands.
-        nearest: How near each came to its waypoint, shape (n,) [m]; brought up to
-            date in place.
-        stalled: Since how long each came no nearer, (n,) [s]; likewise.
-        due: Set to who has something to decide: those that are at their waypoint, and
-            those whose ``stalled`` is `STUCK` or more, shape (n,).
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,); brought up to date in place, as all that follow.
+        count: From `Ways`, shape (n,).
+        walking: Shape (n,).
+        nearest: How near each came to its waypoint, shape (n,) [m].
+        stalled: Since how long each came no nearer, (n,) [s].
         period: Time since ``before`` [s].
 
     Returns:
-        Whether anybody has something to decide, and whether anybody was pushed.
+        Whether anybody is stuck, and whether anybody was pushed who does not walk.
     """
-    n = position.shape[0]
-    due[:] = False
-    pushed = False
-    for i in range(n):
+    stuck, pushed = False, False
+    for i in range(len(position)):
         dx, dy = position[i, 0] - before[i, 0], position[i, 1] - before[i, 1]
-        if pace[i] <= 0.0:
+        if not walking[i]:
             pushed |= max(abs(dx), abs(dy)) > STILL
             continue
-        wx, wy = waypoint[i, 0] - position[i, 0], waypoint[i, 1] - position[i, 1]
+        wx = points[i, at[i], 0] - position[i, 0]
+        wy = points[i, at[i], 1] - position[i, 1]
         left = np.sqrt(wx * wx + wy * wy)
-        if left <= near[i]:
-            due[i] = True
+        if left <= (PASSED if at[i] + 1 < count[i] else ARRIVED):
+            at[i] += 1
+            walking[i] = at[i] < count[i]
+            nearest[i], stalled[i] = np.inf, 0.0
         elif left < nearest[i] - PROGRESS:
             nearest[i], stalled[i] = left, 0.0
         else:
             stalled[i] += period
-            due[i] = stalled[i] >= STUCK
-    return bool(due.any()), pushed
+            stuck |= is_stuck(stalled[i])
+    return stuck, pushed
+
+
+@compiled
+def is_stuck(stalled: float) -> bool:
+    """Whether a walker that came no nearer for so long [s] should try another way."""
+    return stalled >= STUCK
 
 
 @compiled
@@ -164,7 +181,8 @@ def astray(
     goals: Array,
     position: Array,
     walking: Mask,
-    end: Array,
+    points: Array,
+    count: Indices,
     settled: Array,
     lost: Mask,
 ) -> bool:
@@ -174,7 +192,8 @@ def astray(
         goals: One for each of the first m bodies, shape (m, 2) [m].
         position: Shape (n, 2) [m].
         walking: Shape (n,).
-        end: Where the walk of each that walks ends, shape (n, 2) [m].
+        points: From `Ways`, shape (n, most, 2) [m].
+        count: From `Ways`, shape (n,).
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
         lost: Set to who is, shape (m,).
 
@@ -183,7 +202,7 @@ def astray(
     """
     for i in range(len(goals)):
         if walking[i]:
-            lost[i] = not _apart(end[i], goals[i]) <= DRIFT
+            lost[i] = not _apart(points[i, count[i] - 1], goals[i]) <= DRIFT
         else:
             lost[i] = not _is_at(position[i], goals[i], settled[i])
     return bool(lost.any())

@@ -20,12 +20,13 @@ def walk_freely(
     position: Floats,
     velocity: Floats,
     heading: Floats,
-    waypoint: Floats,
-    near: Floats,
-    pace: Floats,
+    points: Floats,
+    at: Indices,
+    count: Indices,
+    walking: Mask,
     nearest: Floats,
     stalled: Floats,
-    due: Mask,
+    speed: Floats,
     radius: Floats,
     segments: Floats,
     thickness: Floats,
@@ -39,16 +40,17 @@ def walk_freely(
     """Lets walkers walk until somebody has something to decide, or may touch something.
 
     Args:
-        position: Shape (n, 2) [m]; changed in place, as all that follow up to ``due``
-            where `steer` and `follow_up` say so.
+        position: Shape (n, 2) [m]; changed in place, as all that follow up to
+            ``stalled`` where `steer` and `follow_up` say so.
         velocity: Of the last period, shape (n, 2) [m/s].
         heading: Shape (n,) [rad].
-        waypoint: Where each is heading, shape (n, 2) [m].
-        near: Distance at which the waypoint counts as reached, shape (n,) [m].
-        pace: Shape (n,) [m/s]; 0: stands.
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,).
+        count: From `Ways`, shape (n,).
+        walking: Shape (n,).
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
-        due: Set to who has something to decide, shape (n,).
+        speed: Of each that walks, shape (n,) [m/s].
         radius: Of each body, shape (n,) [m].
         segments: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Its half thickness, shape (m,) [m].
@@ -60,14 +62,13 @@ def walk_freely(
         tick: Length of each [s].
 
     Returns:
-        How many periods have passed, and whether anybody is ``due``. If no period has
+        How many periods have passed, and whether anybody is stuck. If no period has
         passed, the engine has to be asked.
     """
     period = ticks * tick
-    due[:] = False
     near_quarry = np.empty(len(quarry), np.bool_)
     for passed in range(periods):
-        steer(position, waypoint, pace, radius, period, heading, velocity)
+        steer(position, points, at, walking, speed, radius, period, heading, velocity)
         if not (
             _is_clear_of_walls(
                 position, velocity, radius, segments, thickness, boxes, period
@@ -78,11 +79,11 @@ def walk_freely(
         before = position.copy()
         for _ in range(ticks):
             position += velocity * tick
-        anybody, _ = follow_up(
-            before, position, waypoint, near, pace, nearest, stalled, due, period
+        stuck, _ = follow_up(
+            before, position, points, at, count, walking, nearest, stalled, period
         )
-        if anybody or within_reach(position, quarry, reach, near_quarry):
-            return passed + 1, anybody
+        if stuck or within_reach(position, quarry, reach, near_quarry):
+            return passed + 1, stuck
     return periods, False
 
 
