@@ -33,8 +33,7 @@ def keep_out(
     segments: Array,
     thickness: Array,
     boxes: Array,
-    moved: NDArray[np.bool_],
-) -> bool:
+) -> None:
     """Puts bodies back that sank into something solid.
 
     A body whose middle went through a segment goes back to where it was; one that
@@ -48,35 +47,30 @@ def keep_out(
         segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Half thickness of each segment, shape (m,) [m].
         boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
-        moved: Set to whose position was changed, shape (n,).
-
-    Returns:
-        Whether any was.
     """
-    moved[:] = False
     for i in range(len(after)):
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
         if a == b or _is_clear(a, b, radius[i], thickness, boxes):
             continue
         close = _close_to(a, b, radius[i] + PUSHED, thickness, boxes)
-        if _goes_through(a, b, segments, close):
-            b, moved[i] = a, True
+        moved = _goes_through(a, b, segments, close)
+        if moved:
+            b = a
         for _ in range(ROUNDS):
             pushed = _pushed_out(b, radius[i], segments, thickness, close)
             if pushed == b:
                 break
-            b, moved[i] = pushed, True
+            b, moved = pushed, True
         # A push may lead into a gap too narrow, through the other side of it, or to
         # where nobody has looked.
         aside = max(abs(b[0] - after[i, 0]), abs(b[1] - after[i, 1]))
-        if moved[i] and (
+        if moved and (
             (b != a and aside > PUSHED)
             or _goes_through(a, b, segments, close)
             or not _fits(b, radius[i], segments, thickness, close)
         ):
             b = a
         after[i, 0], after[i, 1] = b
-    return bool(moved.any())
 
 
 @compiled

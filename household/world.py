@@ -7,9 +7,8 @@ walls.) There is no gravity and no friction: the floor is seen from above.
 
 import numpy as np
 import pymunk
-import pymunk.batch
 from numpy.typing import NDArray
-from pymunk.batch import BodyFields
+from pymunk.batch import BodyFields, Buffer, get_space_bodies, set_space_bodies
 
 from household.home.floorplan import FloorPlan
 from household.solid import boxes_round, keep_out
@@ -18,6 +17,9 @@ Array = NDArray[np.float64]
 
 SLOP = 0.002
 """How deep touching bodies may overlap [m]; the engine's own 0.1 is made for pixels."""
+
+MOTION = BodyFields.POSITION | BodyFields.VELOCITY
+"""What is told to the engine and read from it."""
 
 
 class World:
@@ -48,11 +50,10 @@ class World:
         self.thickness[:walls] = plan.wall_thickness / 2
         self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
         rows = self._batch_rows()
-        places, self._place_buffer = self._batch()
-        velocities, self._velocity_buffer = self._batch()
-        self._place, self.velocity = places[rows], velocities[rows]
-        self._position = self._place.copy()
-        self._sunk = np.zeros(len(radius), np.bool_)
+        # The last row is spare: Pymunk would move an array that becomes full elsewhere.
+        batch, self._buffer = np.zeros((len(self._bodies) + 2, 4)), Buffer()
+        self._buffer.set_float_buf(batch)
+        self._place, self.velocity = batch[rows, :2], batch[rows, 2:]
 
     def _add_home(self, plan: FloorPlan) -> None:
         ground = self.space.static_body
@@ -70,21 +71,14 @@ class World:
 
     def _batch_rows(self) -> slice:
         """The rows of the bodies in Pymunk's batches, which hold the ground too."""
-        buffer = pymunk.batch.Buffer()
-        pymunk.batch.get_space_bodies(self.space, BodyFields.BODY_ID, buffer)
+        buffer = Buffer()
+        get_space_bodies(self.space, BodyFields.BODY_ID, buffer)
         ids = list(memoryview(buffer.int_buf()).cast("P"))
         first = ids.index(self._bodies[0].id)
         rows = slice(first, first + len(self._bodies))
         if ids[rows] != [body.id for body in self._bodies]:
             raise RuntimeError("Pymunk's batches hold bodies in an order of their own")
         return rows
-
-    def _batch(self) -> tuple[Array, pymunk.batch.Buffer]:
-        """Two numbers for each body and the ground, shared with Pymunk."""
-        # The last row is spare: Pymunk would move an array that becomes full elsewhere.
-        batch, buffer = np.zeros((len(self._bodies) + 2, 2)), pymunk.batch.Buffer()
-        buffer.set_float_buf(batch)
-        return batch, buffer
 
     def place(self, position: Array) -> None:
         """Puts every body somewhere, at rest.
@@ -96,21 +90,6 @@ class World:
             body.position = float(x), float(y)
             body.velocity = 0.0, 0.0
             self.space.reindex_shapes_for_body(body)
-        self._read()
-        self._position = self._place.copy()
-
-    def _read(self) -> None:
-        """Brings up to date where every body is."""
-        self._place_buffer.clear()
-        pymunk.batch.get_space_bodies(
-            self.space, BodyFields.POSITION, self._place_buffer
-        )
-
-    def _write(self) -> None:
-        """Tells the engine where every body is."""
-        pymunk.batch.set_space_bodies(
-            self.space, BodyFields.POSITION, self._place_buffer
-        )
 
     def advance(self, position: Array, tick: float, ticks: int) -> Array:
         """Moves every body for some ticks.
@@ -123,25 +102,19 @@ class World:
         Returns:
             Where every body is then, a new array of shape (n, 2) [m].
         """
-        if position is not self._position:
-            # Bodies have moved without the engine since it was last asked.
-            self._place[:] = position
-            self._write()
-        pymunk.batch.set_space_bodies(
-            self.space, BodyFields.VELOCITY, self._velocity_buffer
-        )
+        # Bodies may have moved without the engine since it was last asked.
+        self._place[:] = position
+        set_space_bodies(self.space, MOTION, self._buffer)
         for _ in range(ticks):
             self.space.step(tick)
-        self._read()
-        if keep_out(
+        self._buffer.clear()
+        get_space_bodies(self.space, MOTION, self._buffer)
+        keep_out(
             position,
             self._place,
             self._radius,
             self.solid,
             self.thickness,
             self.boxes,
-            self._sunk,
-        ):
-            self._write()
-        self._position = self._place.copy()
-        return self._position
+        )
+        return self._place.copy()
