@@ -55,6 +55,8 @@ class Crowd:
         steering_period: Time between looks at where everybody walks [s].
         physics_period: Length of a physics tick [s].
 
+    The arrays are the same from moment to moment, with new values in them.
+
     Attributes:
         position: Where every body is, shape (n, 2) [m].
         heading: Where every body faces, shape (n,) [rad].
@@ -87,7 +89,7 @@ class Crowd:
         self._settled = np.full((n, 2), np.nan)
         self._pushed = False
         self._where: list[Point] | None = None
-        self._stand(np.zeros((n, 2)))
+        self.position = np.zeros((n, 2))
         self.heading = np.zeros(n)
         self.gaze = np.zeros(n)
         self.walk_began = np.full(n, np.nan)
@@ -95,9 +97,9 @@ class Crowd:
     def place(self, position: Array, heading: Array) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
         self._world.place(position)
-        self._stand(position.copy())
-        self.heading = heading.copy()
-        self.gaze = heading.copy()
+        self.position[:] = position
+        self.heading[:] = self.gaze[:] = heading
+        self._where = None
         self.walking[:] = False
         self._sidesteps = 0
         self._settled[:] = np.nan
@@ -213,6 +215,7 @@ class Crowd:
             passed, stuck = self._walk_freely(periods, quarry, reach)
         if passed == 0:
             passed, stuck = 1, self._push_on()
+        self._where = None
         if stuck:
             self._free_the_stuck()
         return passed
@@ -221,9 +224,9 @@ class Crowd:
         self, periods: int, quarry: Indices, reach: float
     ) -> tuple[int, bool]:
         """Walks for some periods, as long as nobody may touch anything."""
-        position, ways, world = self.position.copy(), self._ways, self._world
+        ways, world = self._ways, self._world
         passed, stuck = walk_freely(
-            position,
+            self.position,
             world.velocity,
             self.heading,
             ways.points,
@@ -243,13 +246,11 @@ class Crowd:
             self._ticks,
             self._tick,
         )
-        if passed:
-            self._stand(position)
         return passed, stuck
 
     def _push_on(self) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
-        before, ways, world = self.position, self._ways, self._world
+        before, ways, world = self.position.copy(), self._ways, self._world
         steer(
             before,
             ways.points,
@@ -261,7 +262,7 @@ class Crowd:
             self.heading,
             world.velocity,
         )
-        self._stand(world.advance(before, self._tick, self._ticks))
+        self.position[:] = world.advance(before, self._tick, self._ticks)
         # Bodies that were pushed come to rest in the period after.
         stuck, self._pushed = follow_up(
             before,
@@ -281,11 +282,6 @@ class Crowd:
         for i, stalled in enumerate(self._stalled.tolist()):
             if self.walks(i) and is_stuck(stalled):
                 self._try_another_way(i)
-
-    def _stand(self, position: Array) -> None:
-        """Everybody is somewhere else now."""
-        self.position = position
-        self._where = None
 
     def _take(self, i: int, way: list[Point]) -> None:
         """Sets out on a way."""

@@ -234,7 +234,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return observations, rewards, terminations, truncations, infos
 
     def _observations(self) -> dict[str, Observation]:
-        rows = self._encoding.encode(self.life.view())
+        rows = self._encoding.encode(self.life.view)
         return dict(zip(self.agents, rows, strict=True))
 
     def state(self) -> NDArray[np.float32]:
@@ -244,7 +244,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self._features.encode(self.life.view()).reshape(-1)
+        return self._features.encode(self.life.view).reshape(-1)
 
     def _check_begun(self) -> None:
         if not self._begun:
@@ -259,7 +259,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._check_begun()
         return self._seen()[self._index[agent]]
 
-    def _seen(self) -> list[Situation]:
+    def _seen(self) -> tuple[Situation, ...]:
         """The situation as each robot sees it now."""
         life = self.life
         return self._situations.seen(life.people.activity, life.senses.attends)

@@ -20,7 +20,7 @@ from household.perception.senses import Senses
 from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import MOST_PEOPLE, Scenario
-from household.streams import Draws, Streams
+from household.streams import Streams, draws
 from household.telling import View
 
 Array = NDArray[np.float64]
@@ -54,6 +54,7 @@ class Life:
         crowd: Everybody's body; people come first and robots after them.
         senses: Who sees, hears and attends to whom.
         moods: The people's moods as each robot reads them, (n_robots, n_people).
+        view: What robots may know of this moment.
         half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
         decision: Decisions since the beginning.
         time: Since the beginning [s].
@@ -89,6 +90,7 @@ class Life:
         self._source = np.zeros(n_people + n_robots)
         self._moments = round(scenario.decision_period / scenario.steering_period)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
+        self.view = self._view()
 
     def begin(self, seed: int | None) -> None:
         """Begins an episode.
@@ -99,7 +101,7 @@ class Life:
         self.decision, self.time = 0, 0.0
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
-        self._noise = Draws(self._streams.faces, MOST_PEOPLE, "normal")
+        self._noise = draws(self._streams.faces, MOST_PEOPLE, "normal")
         self._movers = [
             Mover(
                 body=self._n_people + robot,
@@ -204,13 +206,13 @@ class Life:
         )
         misread(
             self.people.feelings.mood,
-            self._noise.next(),
+            next(self._noise),
             self._scenario.perception.mood_noise,
             self.moods,
         )
 
-    def view(self) -> View:
-        """What robots may know of this moment."""
+    def _view(self) -> View:
+        """What robots may know; made once, as all arrays stay the same."""
         senses, robots = self.senses, self.robots
         return View(
             position=self.crowd.position,

@@ -1,6 +1,6 @@
 """Random streams: one seed, one history; nobody's draws depend on who else is there."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 import numpy as np
@@ -53,7 +53,11 @@ class Streams:
         ]
 
 
-class Draws:
+def draws(
+    rngs: Sequence[np.random.Generator],
+    size: int,
+    distribution: Distribution = "uniform",
+) -> Iterator[NDArray[np.float64]]:
     """The random numbers of several streams, as many from each at every moment.
 
     They are drawn whether anybody needs them or not, so that what happens in one
@@ -63,30 +67,14 @@ class Draws:
         rngs: The streams.
         size: Numbers from each stream at each moment.
         distribution: "uniform" in [0, 1) or standard "normal".
+
+    Yields:
+        The numbers of the next moment, shape (n_streams, size); for reading, and only
+        until the next are asked for.
     """
-
-    def __init__(
-        self,
-        rngs: Sequence[np.random.Generator],
-        size: int,
-        distribution: Distribution = "uniform",
-    ) -> None:
-        self._rngs = rngs
-        self._distribution = distribution
-        self._numbers = np.empty((AHEAD, len(rngs), size))
-        self._next = AHEAD
-
-    def next(self) -> NDArray[np.float64]:
-        """The numbers of the next moment, shape (n_streams, size); for reading only."""
-        if self._next == AHEAD:
-            self._draw_ahead()
-        self._next += 1
-        return self._numbers[self._next - 1]
-
-    def _draw_ahead(self) -> None:
-        shape = (len(self._numbers), self._numbers.shape[2])
-        for stream, rng in enumerate(self._rngs):
-            uniform = self._distribution == "uniform"
-            draw = rng.random if uniform else rng.standard_normal
-            self._numbers[:, stream] = draw(shape)
-        self._next = 0
+    numbers = np.empty((AHEAD, len(rngs), size))
+    while True:
+        for stream, rng in enumerate(rngs):
+            draw = rng.random if distribution == "uniform" else rng.standard_normal
+            numbers[:, stream] = draw((AHEAD, size))
+        yield from numbers

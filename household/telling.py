@@ -27,8 +27,8 @@ NO_ROLE = int(Activity.UNKNOWN)
 class View(NamedTuple):
     """All that robots may know of this moment; nothing that people keep to themselves.
 
-    A tuple of what is there already, as it is made at every step. In the arrays over
-    n entities people come first and robots after them.
+    The arrays are those that are there already, with new values at every step. In those
+    over n entities people come first and robots after them.
 
     Attributes:
         position: Where everybody is, shape (n, 2) [m].

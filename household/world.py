@@ -109,12 +109,13 @@ class World:
             self.space.step(tick)
         self._buffer.clear()
         get_space_bodies(self.space, MOTION, self._buffer)
+        after = self._place.copy()
         keep_out(
             position,
-            self._place,
+            after,
             self._radius,
             self.solid,
             self.thickness,
             self.boxes,
         )
-        return self._place.copy()
+        return after

@@ -1,7 +1,7 @@
 """Reading situations off activities and attention, as each robot sees them."""
 
 from functools import lru_cache
-from itertools import compress, product
+from itertools import compress, islice, product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,30 +39,32 @@ class SituationReader:
         self._alike = len(robots) // len(self._relations)
         self._plays = lru_cache(maxsize=KEPT)(self._make_plays)
         self._situation = lru_cache(maxsize=KEPT)(self._make_situation)
+        self._situations = lru_cache(maxsize=KEPT)(self._make_situations)
 
-    def seen(self, activity: NDArray[np.int_], attends: Mask) -> list[Situation]:
+    def seen(self, activity: NDArray[np.int_], attends: Mask) -> tuple[Situation, ...]:
         """The situation as each robot sees it.
 
         Args:
             activity: The role of each person, shape (n_people,).
             attends: Who attends to whom, people first, shape (n, n).
         """
-        roles = activity.tobytes()
-        seen = [
-            self._situation(roles, looks, view)
-            for view, looks in enumerate(self._looks(attends))
-        ]
-        return seen * self._alike
+        return self._situations(activity.tobytes(), self._looks(attends))
 
-    def _looks(self, attends: Mask) -> list[bytes]:
-        """Which relations hold, one byte for each, from each point of view."""
-        if self._attention == "all":
-            return [attends.tobytes()]
-        if self._attention == "none":
-            return [b""]
-        n = len(self._people)
-        looks = attends[:n, n:].T.tobytes()
-        return [looks[i : i + n] for i in range(0, len(looks), n)]
+    def _looks(self, attends: Mask) -> bytes:
+        """Which of the relations that there can be hold, one byte for each."""
+        if self._attention == "robot":
+            n = len(self._people)
+            return attends[:n, n:].tobytes("F")
+        return attends.tobytes() if self._attention == "all" else b""
+
+    def _make_situations(self, activity: bytes, looks: bytes) -> tuple[Situation, ...]:
+        """The situation of each robot."""
+        each = iter(looks)
+        seen = [
+            self._situation(activity, bytes(islice(each, len(relations))), view)
+            for view, relations in enumerate(self._relations)
+        ]
+        return tuple(seen * self._alike)
 
     def _make_situation(self, activity: bytes, attends: bytes, view: int) -> Situation:
         """The situation that these roles and this attention make."""

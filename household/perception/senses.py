@@ -37,13 +37,7 @@ class Senses:
         self._tall = np.ascontiguousarray(opaque[walls:].T)
         self._model = model
         self._focus = np.deg2rad(model.focus)
-        self._n = n
-        self.forget()
-
-    def forget(self) -> None:
-        """Begins a new episode: nobody has perceived anything yet."""
-        n = self._n
-        self._position = np.full((n, 2), np.nan)
+        self._position = np.zeros((n, 2))
         self._hidden = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
@@ -52,6 +46,11 @@ class Senses:
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))
+
+    def forget(self) -> None:
+        """Begins a new episode: nobody has perceived anything yet."""
+        self._position[:] = np.nan  # Everybody has moved.
+        self.attends[:] = False
 
     def perceive(  # noqa: PLR0913 - one array for each thing that is perceived
         self,

@@ -39,17 +39,18 @@ class Robots:
         self._durations = [b.duration for b in scenario.repertoire]
         self._loudness = np.array([b.loudness for b in scenario.repertoire])
         self._salience = np.array([b.salience for b in scenario.repertoire])
+        n = len(self.names)
+        self.behaviors, self.begun = np.zeros(n, np.intp), np.zeros(n, np.intp)
+        self._began, self._ends = np.zeros(n), np.zeros(n)
+        self.left, self.felt = np.zeros(n), np.zeros((n, 2))
         self.begin()
 
     def begin(self) -> None:
         """Begins a new episode."""
-        n = len(self.names)
-        self.bouts: list[Bout] = [IDLE] * n
-        self.behaviors = np.full(n, IDLE.behavior, dtype=np.intp)
-        self.begun = np.full(n, IDLE.decision, dtype=np.intp)
-        self._began = np.full(n, IDLE.began)
-        self._ends = np.full(n, IDLE.ends)
-        self.left = np.zeros(n)
+        self.bouts: list[Bout] = [IDLE] * len(self.names)
+        self.behaviors[:], self.begun[:] = IDLE.behavior, IDLE.decision
+        self._began[:], self._ends[:] = IDLE.began, IDLE.ends
+        self.left[:] = 0.0
         self._untouched()
 
     def choose(self, robot: int, behavior: int, decision: int, now: float) -> None:
@@ -90,7 +91,7 @@ class Robots:
         self.touched = False
         self.feedback: list[tuple[Feedback, ...]] = [()] * len(self.names)
         self.causes: list[tuple[Cause, ...]] = [()] * len(self.names)
-        self.felt = np.zeros((len(self.names), 2))
+        self.felt[:] = 0.0
 
     def feel(self, robot: int, feedback: Feedback, cause: Cause) -> None:
         """A touch is felt."""

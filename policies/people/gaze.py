@@ -12,7 +12,7 @@ from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percepts
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
-from household.streams import Draws
+from household.streams import draws
 
 DRAWS = 4
 """In each moment: whether the gaze moves on, startles, where to, and for how long."""
@@ -34,7 +34,7 @@ class GazeHabits:
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
         self._traits = traits_of(personas)
-        self._draws = Draws(rngs, DRAWS)
+        self._draws = draws(rngs, DRAWS)
         self._look = np.full(len(personas), OWN_ACTIVITY, np.intp)
         self._left = np.zeros(len(personas))
 
@@ -43,7 +43,7 @@ class GazeHabits:
         _look_around(
             self._look,
             self._left,
-            self._draws.next(),
+            next(self._draws),
             percepts.level,
             percepts.sees,
             percepts.moving,

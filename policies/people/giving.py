@@ -11,7 +11,7 @@ from household.compiled import compiled
 from household.people.mind import Percepts, Wish
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
-from household.streams import Draws
+from household.streams import draws
 
 DRAWS = 2
 """For each robot in each moment: whether to react, and whether it goes wrong."""
@@ -54,7 +54,7 @@ class FeedbackGiving:
     ) -> None:
         n = len(personas)
         self._traits = traits_of(personas)
-        self._draws = Draws(rngs, DRAWS * n_robots)
+        self._draws = draws(rngs, DRAWS * n_robots)
         self._freshness = np.ones((n, n_robots))
         self._state = np.zeros(n, STATE)
         self._state["robot"] = NOBODY
@@ -75,7 +75,7 @@ class FeedbackGiving:
             attending,
             percepts.mood,
             percepts.period,
-            self._draws.next(),
+            next(self._draws),
             self._traits,
         )
         if anything:

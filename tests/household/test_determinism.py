@@ -32,7 +32,7 @@ def episode(random_actions):
                 *answers,
                 causes,
                 env.state(),
-                env.life.crowd.position,
+                env.life.crowd.position.copy(),
                 env.life.crowd.gaze.copy(),
             )
             if not env.agents:

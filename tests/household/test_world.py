@@ -53,10 +53,10 @@ def walk(crowd, goals, most):
     """Sends everybody on its way; returns when each arrived [s] and all positions."""
     for i, goal in enumerate(goals):
         assert crowd.send(i, goal, 0.0)
-    arrived, track = {}, [crowd.position]
+    arrived, track = {}, [crowd.position.copy()]
     for moment in range(round(most / 0.2)):
         crowd.advance()
-        track.append(crowd.position)
+        track.append(crowd.position.copy())
         for i in range(len(goals)):
             if i not in arrived and not crowd.walks(i):
                 arrived[i] = 0.2 * (moment + 1)
@@ -218,7 +218,7 @@ def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in)
         for _ in range(20):
             crowd._pushed = with_engine
             crowd.advance()
-            track.append(crowd.position)
+            track.append(crowd.position.copy())
         tracks.append(track)
     np.testing.assert_array_equal(*tracks)
 
@@ -231,7 +231,7 @@ def test_several_periods_at_once_are_the_same_as_one_by_one(room, crowd_in):
         left = 40
         while left:
             left -= crowd.advance(min(at_once, left))
-        ends.append([crowd.position, crowd.heading.copy()])
+        ends.append([crowd.position.copy(), crowd.heading.copy()])
     np.testing.assert_array_equal(ends[0][0], ends[1][0])
     np.testing.assert_array_equal(ends[0][1], ends[1][1])
 
