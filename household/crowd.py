@@ -5,12 +5,13 @@ along them and turns heads; it knows nothing of why anyone goes anywhere.
 """
 
 import math
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import NOBODY, Indices
+from household.arrays import NOBODY, Indices, Mask
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
@@ -75,14 +76,11 @@ class Crowd:
         physics_period: float,
     ) -> None:
         n = len(radius)
-        self._world = World(plan, radius, mass)
+        self._world = world = World(plan, radius, mass)
         self._routes = routes_of(plan)
-        self._radius, self._speed = radius, speed
-        self._period, self._tick = steering_period, physics_period
+        self._tick = physics_period
         self._ticks = round(steering_period / physics_period)
         self._ways = Ways(n)
-        self.walking = np.zeros(n, np.bool_)
-        self._lost = np.zeros(n, np.bool_)
         self._nearest = np.full(n, np.inf)
         self._stalled = np.zeros(n)
         self._sidesteps = 0
@@ -92,7 +90,34 @@ class Crowd:
         self.position = np.zeros((n, 2))
         self.heading = np.zeros(n)
         self.gaze = np.zeros(n)
+        self.walking = np.zeros(n, np.bool_)
         self.walk_began = np.full(n, np.nan)
+        # What the loops work on is always the same.
+        bodies = self.position, self.walking
+        progress = self._nearest, self._stalled
+        self._steer = partial(
+            steer, *bodies, speed, radius, steering_period, self.heading, world.velocity
+        )
+        self._follow_up = partial(follow_up, *bodies, *progress, steering_period)
+        self._walk_freely = partial(
+            walk_freely,
+            self.position,
+            world.velocity,
+            self.heading,
+            self.walking,
+            *progress,
+            speed,
+            radius,
+            world.solid,
+            world.thickness,
+            world.boxes,
+            self._ticks,
+            self._tick,
+        )
+        self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
+        self._arrived = partial(arrived, *bodies, self._settled)
+        self._lost = np.zeros(n, np.bool_)
+        self._astray = partial(astray, *bodies, self._settled, self._lost)
 
     def place(self, position: Array, heading: Array) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
@@ -138,14 +163,14 @@ class Crowd:
         away = math.dist(self.where[i], goal)
         return away <= (CROWDED if crowded else DRIFT)
 
-    def arrived(self, goals: Array, there: NDArray[np.bool_]) -> None:
+    def arrived(self, goals: Array, there: Mask) -> None:
         """Who stands at its goal, or as near to it as others let it.
 
         Args:
             goals: One for each of the first bodies, shape (m, 2) [m].
             there: Shape (m,); filled in.
         """
-        arrived(goals, self.position, self.walking, self._settled, there)
+        self._arrived(goals, there)
 
     def astray(self, goals: Array) -> list[int]:
         """Who is neither at its goal nor on its way there; see `is_bound_for`.
@@ -153,19 +178,9 @@ class Crowd:
         Args:
             goals: One for each of the first bodies, shape (m, 2) [m].
         """
-        lost = self._lost[: len(goals)]
-        anybody = astray(
-            goals,
-            self.position,
-            self.walking,
-            self._ways.points,
-            self._ways.count,
-            self._settled,
-            lost,
-        )
-        return (
-            [i for i, is_lost in enumerate(lost.tolist()) if is_lost] if anybody else []
-        )
+        if not self._astray(self._ways.points, self._ways.count, goals):
+            return []
+        return np.flatnonzero(self._lost[: len(goals)]).tolist()
 
     def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
@@ -210,71 +225,24 @@ class Crowd:
         """
         if not (self._pushed or True in self.walking.tolist()):
             return periods if set(quarry.tolist()) <= {NOBODY} else 1
+        ways = self._ways.points, self._ways.at, self._ways.count
         passed, stuck = 0, False
         if not self._pushed:
-            passed, stuck = self._walk_freely(periods, quarry, reach)
+            passed, stuck = self._walk_freely(*ways, quarry, reach, periods)
         if passed == 0:
-            passed, stuck = 1, self._push_on()
+            passed, stuck = 1, self._push_on(*ways)
         self._where = None
         if stuck:
             self._free_the_stuck()
         return passed
 
-    def _walk_freely(
-        self, periods: int, quarry: Indices, reach: float
-    ) -> tuple[int, bool]:
-        """Walks for some periods, as long as nobody may touch anything."""
-        ways, world = self._ways, self._world
-        passed, stuck = walk_freely(
-            self.position,
-            world.velocity,
-            self.heading,
-            ways.points,
-            ways.at,
-            ways.count,
-            self.walking,
-            self._nearest,
-            self._stalled,
-            self._speed,
-            self._radius,
-            world.solid,
-            world.thickness,
-            world.boxes,
-            quarry,
-            reach,
-            periods,
-            self._ticks,
-            self._tick,
-        )
-        return passed, stuck
-
-    def _push_on(self) -> bool:
+    def _push_on(self, points: Array, at: Indices, count: Indices) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
-        before, ways, world = self.position.copy(), self._ways, self._world
-        steer(
-            before,
-            ways.points,
-            ways.at,
-            self.walking,
-            self._speed,
-            self._radius,
-            self._period,
-            self.heading,
-            world.velocity,
-        )
-        self.position[:] = world.advance(before, self._tick, self._ticks)
+        before = self.position.copy()
+        self._steer(points, at)
+        self.position[:] = self._world.advance(before, self._tick, self._ticks)
         # Bodies that were pushed come to rest in the period after.
-        stuck, self._pushed = follow_up(
-            before,
-            self.position,
-            ways.points,
-            ways.at,
-            ways.count,
-            self.walking,
-            self._nearest,
-            self._stalled,
-            self._period,
-        )
+        stuck, self._pushed = self._follow_up(before, points, at, count)
         return stuck
 
     def _free_the_stuck(self) -> None:
@@ -309,11 +277,13 @@ class Crowd:
         if way:
             self._take(i, way)
 
-    def turn_heads(self, target: Array, most: Array) -> None:
-        """Turns every head towards where it wants to look.
+    def turn_heads(self, look: Indices, focus: Array, most: Array) -> None:
+        """Turns every head towards where it wants to look; robots look ahead.
 
         Args:
-            target: Wanted directions, shape (n,) [rad].
+            look: Whom each of the first bodies looks at, `NOBODY` for none, (m,).
+            focus: What each of them looks at then, unless it walks, NaN for nothing,
+                shape (m, 2) [m].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        turn_heads(self.gaze, self.heading, target, most)
+        self._turn_heads(look, focus, most)

@@ -83,7 +83,6 @@ class Life:
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
-        self._target = np.zeros(n_people + n_robots)
         self.half_view = np.full(n_people + n_robots, ROBOT_VIEW)
         self.moods = np.zeros((n_robots, n_people))
         self._salience = np.ones(n_people + n_robots)
@@ -187,8 +186,7 @@ class Life:
 
     def _look_around(self, most: Array) -> None:
         """Everybody turns its head towards what it wants to look at."""
-        self.people.aim_gazes(self._target, self.crowd)
-        self.crowd.turn_heads(self._target, most)
+        self.crowd.turn_heads(self.people.intentions.look, self.people.focus, most)
 
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""

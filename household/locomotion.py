@@ -45,14 +45,14 @@ bodies ever more slowly."""
 @compiled
 def steer(
     position: Array,
-    points: Array,
-    at: Indices,
     walking: Mask,
     speed: Array,
     radius: Array,
     period: float,
     heading: Array,
     velocity: Array,
+    points: Array,
+    at: Indices,
 ) -> None:
     """Sets velocities that lead walkers to their waypoints, keeping to the right.
 
@@ -62,8 +62,6 @@ def steer(
 
     Args:
         position: Shape (n, 2) [m].
-        points: From `Ways`, shape (n, most, 2) [m].
-        at: From `Ways`, shape (n,).
         walking: Shape (n,).
         speed: Of each that walks, shape (n,) [m/s].
         radius: Of each body, shape (n,) [m].
@@ -71,6 +69,8 @@ def steer(
         heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
             place, where they go.
         velocity: Set to what each walks with, 0 who stands, shape (n, 2) [m/s].
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,).
     """
     n = position.shape[0]
     velocity[:] = 0.0
@@ -106,28 +106,28 @@ def steer(
 
 @compiled
 def follow_up(
-    before: Array,
     position: Array,
-    points: Array,
-    at: Indices,
-    count: Indices,
     walking: Mask,
     nearest: Array,
     stalled: Array,
     period: float,
+    before: Array,
+    points: Array,
+    at: Indices,
+    count: Indices,
 ) -> tuple[bool, bool]:
     """Notes how every walker came on: who is at its waypoint heads for the next.
 
     Args:
-        before: Where everybody was, shape (n, 2) [m].
         position: Where everybody is, shape (n, 2) [m].
-        points: From `Ways`, shape (n, most, 2) [m].
-        at: From `Ways`, shape (n,); brought up to date in place, as all that follow.
-        count: From `Ways`, shape (n,).
-        walking: Shape (n,).
+        walking: Shape (n,); brought up to date in place, like the two that follow.
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
         period: Time since ``before`` [s].
+        before: Where everybody was, shape (n, 2) [m].
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,); brought up to date in place.
+        count: From `Ways`, shape (n,).
 
     Returns:
         Whether anybody is stuck, and whether anybody was pushed who does not walk.
@@ -161,15 +161,19 @@ def is_stuck(stalled: float) -> bool:
 
 @compiled
 def arrived(
-    goals: Array, position: Array, walking: Mask, settled: Array, there: Mask
+    position: Array,
+    walking: Mask,
+    settled: Array,
+    goals: Array,
+    there: Mask,
 ) -> None:
     """Who stands at its goal, or as near to it as others let it.
 
     Args:
-        goals: One for each of the first m bodies, shape (m, 2) [m].
         position: Shape (n, 2) [m].
         walking: Shape (n,).
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        goals: One for each of the first m bodies, shape (m, 2) [m].
         there: Shape (m,); filled in.
     """
     for i in range(len(goals)):
@@ -178,34 +182,36 @@ def arrived(
 
 @compiled
 def astray(
-    goals: Array,
     position: Array,
     walking: Mask,
-    points: Array,
-    count: Indices,
     settled: Array,
     lost: Mask,
+    points: Array,
+    count: Indices,
+    goals: Array,
 ) -> bool:
     """Who is neither at its goal, or as near as others let it, nor on its way there.
 
     Args:
-        goals: One for each of the first m bodies, shape (m, 2) [m].
         position: Shape (n, 2) [m].
         walking: Shape (n,).
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        lost: Set to who is, shape (n,).
         points: From `Ways`, shape (n, most, 2) [m].
         count: From `Ways`, shape (n,).
-        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
-        lost: Set to who is, shape (m,).
+        goals: One for each of the first m bodies, shape (m, 2) [m].
 
     Returns:
         Whether anybody is.
     """
+    anybody = False
     for i in range(len(goals)):
         if walking[i]:
             lost[i] = not _apart(points[i, count[i] - 1], goals[i]) <= DRIFT
         else:
             lost[i] = not _is_at(position[i], goals[i], settled[i])
-    return bool(lost.any())
+        anybody |= lost[i]
+    return anybody
 
 
 @compiled
@@ -242,20 +248,44 @@ def _apart(a: Array, b: Array) -> float:
 
 
 @compiled
-def turn_heads(gaze: Array, heading: Array, target: Array, most: Array) -> None:
+def turn_heads(
+    gaze: Array,
+    heading: Array,
+    position: Array,
+    walking: Mask,
+    look: Indices,
+    focus: Array,
+    most: Array,
+) -> None:
     """Turns every head towards where it wants to look, and bodies where necks end.
+
+    Who looks at nobody and has nothing to look at, or walks, looks ahead.
 
     Args:
         gaze: Where every head points, shape (n,) [rad]; changed in place.
         heading: Where every body faces, shape (n,) [rad]; changed in place.
-        target: Wanted directions, shape (n,) [rad].
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        look: Whom each of the first m bodies looks at, `NOBODY` for none, shape (m,).
+        focus: What each of them looks at then, NaN for nothing, shape (m, 2) [m].
         most: How far each head can turn in this time, shape (n,) [rad].
     """
     for i in range(len(gaze)):
-        turn = _wrapped(target[i] - gaze[i])
+        target = heading[i]
+        if i < len(look) and look[i] != NOBODY:
+            target = _direction(position[i], position[look[i]])
+        elif i < len(look) and not walking[i] and not np.isnan(focus[i, 0]):
+            target = _direction(position[i], focus[i])
+        turn = _wrapped(target - gaze[i])
         gaze[i] += min(max(turn, -most[i]), most[i])
         strain = _wrapped(gaze[i] - heading[i])
         heading[i] = heading[i] + strain - min(max(strain, -NECK), NECK)
+
+
+@compiled
+def _direction(here: Array, there: Array) -> float:
+    """The direction from one point to another [rad]."""
+    return np.arctan2(there[1] - here[1], there[0] - here[0])
 
 
 @compiled

@@ -20,9 +20,6 @@ def walk_freely(
     position: Floats,
     velocity: Floats,
     heading: Floats,
-    points: Floats,
-    at: Indices,
-    count: Indices,
     walking: Mask,
     nearest: Floats,
     stalled: Floats,
@@ -31,22 +28,22 @@ def walk_freely(
     segments: Floats,
     thickness: Floats,
     boxes: Floats,
+    ticks: int,
+    tick: float,
+    points: Floats,
+    at: Indices,
+    count: Indices,
     quarry: Indices,
     reach: float,
     periods: int,
-    ticks: int,
-    tick: float,
 ) -> tuple[int, bool]:
     """Lets walkers walk until somebody has something to decide, or may touch something.
 
     Args:
         position: Shape (n, 2) [m]; changed in place, as all that follow up to
-            ``stalled`` where `steer` and `follow_up` say so.
+            ``stalled``, and ``at``, where `steer` and `follow_up` say so.
         velocity: Of the last period, shape (n, 2) [m/s].
         heading: Shape (n,) [rad].
-        points: From `Ways`, shape (n, most, 2) [m].
-        at: From `Ways`, shape (n,).
-        count: From `Ways`, shape (n,).
         walking: Shape (n,).
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
@@ -55,11 +52,14 @@ def walk_freely(
         segments: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Its half thickness, shape (m,) [m].
         boxes: From `boxes_round`, shape (4, m) [m].
+        ticks: Of the engine in each steering period.
+        tick: Length of each [s].
+        points: From `Ways`, shape (n, most, 2) [m].
+        at: From `Ways`, shape (n,).
+        count: From `Ways`, shape (n,).
         quarry: Whom each of the first bodies is after, `NOBODY` for none.
         reach: Distance from its quarry at which a body has something to decide [m].
         periods: How many steering periods to walk at most.
-        ticks: Of the engine in each of them.
-        tick: Length of each [s].
 
     Returns:
         How many periods have passed, and whether anybody is stuck. If no period has
@@ -68,7 +68,7 @@ def walk_freely(
     period = ticks * tick
     near_quarry = np.empty(len(quarry), np.bool_)
     for passed in range(periods):
-        steer(position, points, at, walking, speed, radius, period, heading, velocity)
+        steer(position, walking, speed, radius, period, heading, velocity, points, at)
         if not (
             _is_clear_of_walls(
                 position, velocity, radius, segments, thickness, boxes, period
@@ -80,7 +80,7 @@ def walk_freely(
         for _ in range(ticks):
             position += velocity * tick
         stuck, _ = follow_up(
-            before, position, points, at, count, walking, nearest, stalled, period
+            position, walking, nearest, stalled, period, before, points, at, count
         )
         if stuck or within_reach(position, quarry, reach, near_quarry):
             return passed + 1, stuck

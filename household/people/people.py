@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from household.locomotion import within_reach
 from household.people.appraisal import Appraisals
 from household.people.feelings import Feelings
 from household.people.mind import (
-    OWN_ACTIVITY,
     Intentions,
     Minds,
     Percepts,
@@ -47,6 +47,7 @@ class People:
         intentions: What each is about to do.
         place: Index of the region that each is in, -1 outside all, shape (n,).
         activity: The role that each plays, as `Activity` values, shape (n,).
+        focus: What each looks at where it is, NaN for nothing, shape (n, 2) [m].
         touched: Whose wish to touch was fulfilled in this step, shape (n,).
         quarry: Index of the body that each is out to touch, or `NOBODY`, shape (n,).
     """
@@ -59,7 +60,6 @@ class People:
         n, n_robots = len(personas), len(scenario.robots)
         self._minds = make_minds(scenario)
         self._period = scenario.decision_period
-        self._traits = traits_of(personas)
         self.places = Places(scenario.plan)
         self.feelings = Feelings(personas, n_robots, self._period)
         self._starts = [spec.start for spec in scenario.people]
@@ -73,6 +73,17 @@ class People:
         self.activity = np.full(n, int(Activity.UNKNOWN))
         self.touched = np.zeros(n, np.bool_)
         self.quarry = np.full(n, NOBODY, np.intp)
+        self.focus = np.full((n, 2), np.nan)
+        self._show = partial(
+            _show,
+            self.place,
+            self.activity,
+            self.focus,
+            self.places.circles,
+            self.places.roles,
+            self.places.facing,
+            traits_of(personas),
+        )
         self._wishes: list[tuple[int, Wish]] = []
         self._percepts: Percepts | None = None
 
@@ -117,16 +128,7 @@ class People:
             half_view: Half of each one's field of view, (n + n_robots,) [rad]; filled
                 in for people, negative with the eyes closed.
         """
-        _show(
-            self.place,
-            self.activity,
-            half_view,
-            position,
-            self.places.circles,
-            self.places.roles,
-            self.intentions.eyes_open,
-            self._traits,
-        )
+        self._show(self.intentions.eyes_open, position, half_view)
 
     def judge(self, senses: Senses, robots: Robots) -> None:
         """Everybody appraises the bouts that it did not appraise before.
@@ -242,59 +244,23 @@ class People:
                 x, y = goals[i].tolist()
                 crowd.send(i, (x, y), now)
 
-    def aim_gazes(self, target: Floats, crowd: Crowd) -> None:
-        """Fills in in which direction everybody wants to look, robots ahead.
-
-        Args:
-            target: For people and robots, shape (n + n_robots,) [rad].
-            crowd: The bodies.
-        """
-        _aim_gazes(
-            target,
-            self.intentions.look,
-            self.place,
-            self.places.facing,
-            crowd.walking,
-            crowd.position,
-            crowd.heading,
-        )
-
 
 @compiled
 def _show(
     place: Indices,
     activity: Indices,
-    half_view: Floats,
-    position: Floats,
+    focus: Floats,
     circles: Floats,
     roles: Indices,
-    eyes_open: Mask,
+    facing: Floats,
     traits: Traits,
+    eyes_open: Mask,
+    position: Floats,
+    half_view: Floats,
 ) -> None:
     for i in range(len(place)):
         place[i] = place_of(position[i], circles)
-        # The last role is for nowhere, which -1 is the index of.
-        activity[i] = roles[place[i]]
+        # The last ones are for nowhere, which -1 is the index of.
+        activity[i], focus[i] = roles[place[i]], facing[place[i]]
         half = math.radians(traits[i]["field_of_view"] / 2)
         half_view[i] = half if eyes_open[i] else -1.0
-
-
-@compiled
-def _aim_gazes(
-    target: Floats,
-    look: Indices,
-    place: Indices,
-    facing: Floats,
-    walking: Mask,
-    position: Floats,
-    heading: Floats,
-) -> None:
-    target[:] = heading
-    for i in range(len(look)):
-        if look[i] != OWN_ACTIVITY:
-            there = position[look[i]]
-        elif walking[i] or place[i] == NOWHERE:
-            continue
-        else:
-            there = facing[place[i]]
-        target[i] = math.atan2(there[1] - position[i, 1], there[0] - position[i, 0])

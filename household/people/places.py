@@ -34,14 +34,15 @@ class Places:
         circles: The regions, shape (n_regions, 3), rows of x, y, radius [m].
         roles: Which role is played in each, as `Activity` values, and at the end that
             of being nowhere, shape (n_regions + 1,).
-        facing: What people look at in each region, shape (n_regions, 2) [m].
+        facing: What people look at in each, and NaN at the end, (n_regions + 1, 2) [m].
     """
 
     def __init__(self, plan: FloorPlan) -> None:
         self.regions = plan.regions
         self.circles = plan.region_circles
         self.roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
-        self.facing = np.array([r.facing for r in plan.regions])
+        nothing = (math.nan, math.nan)
+        self.facing = np.array([*(r.facing for r in plan.regions), nothing])
         self._routes = routes = routes_of(plan)
         self._spots = [
             [
