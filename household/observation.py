@@ -96,7 +96,7 @@ class Features:
     def encode(self, view: View) -> NDArray[np.float32]:
         """Every robot's observation, a new array of shape (n_robots, length)."""
         rows = np.zeros(self._shape, np.float32)
-        tell_features(rows, self._places, tuple(view), self._n_behaviors)
+        tell_features(rows, self._places, self._n_behaviors, *view)
         return rows
 
 

@@ -4,7 +4,7 @@ Compiled with Numba, as it happens at every step, and NumPy, field by field, tak
 many times as long.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -107,19 +107,47 @@ def _tell_of_robot(
 def tell_features(
     rows: NDArray[np.float32],
     places: NDArray[np.void],
-    parts: tuple[Any, ...],
     n_behaviors: int,
+    position: Array,
+    facing: Array,
+    attends: Mask,
+    attention: Array,
+    walking: Mask,
+    activity: NDArray[np.int_],
+    mood: Array,
+    behavior: NDArray[np.intp],
+    left: Array,
+    touches: Array,
 ) -> None:
     """Writes every robot's observation into its row.
 
     Args:
         rows: Shape (n_robots, length), holding zeros.
         places: Where each field begins, by its name, shape (1,).
-        parts: Those of a `View`, as a plain tuple: Numba takes 2 us to recognize
-            any other.
         n_behaviors: How many behaviors the robots can choose.
+        position: As in `View`, like all that follow.
+        facing: Shape (n, n).
+        attends: Shape (n, n).
+        attention: Shape (n, n).
+        walking: Shape (n,).
+        activity: Shape (n_people,).
+        mood: Shape (n_robots, n_people).
+        behavior: Shape (n_robots,).
+        left: Shape (n_robots,).
+        touches: Shape (n_robots, 2).
     """
-    view = View(*parts)
+    view = View(
+        position,
+        facing,
+        attends,
+        attention,
+        walking,
+        activity,
+        mood,
+        behavior,
+        left,
+        touches,
+    )
     for robot in range(len(rows)):
         row, at = rows[robot], places[0]
         _tell_of_itself(row, at, view, robot)

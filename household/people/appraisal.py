@@ -5,6 +5,7 @@ enough: its preference times how strongly it perceived the bout.
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -50,7 +51,6 @@ class Appraisals:
         self._preferences = np.array([p.preferences for p in everyone]).reshape(
             n, len(Activity), 2, -1
         )
-        self._traits = traits_of([person.persona for person in everyone])
         self._rows = np.arange(n)[:, None]
         # The decision at which the bout of each robot began that each last judged.
         self._judged = np.full((n, n_robots), -1, np.intp)
@@ -60,6 +60,14 @@ class Appraisals:
             value=np.zeros((n, n_robots)),
             believed=np.zeros((n, n_robots), np.intp),
             attending=np.zeros((n, n_robots), np.bool_),
+        )
+        self._appraise = partial(
+            _appraise,
+            *self.judgements,
+            self.pleasing,
+            self._judged,
+            self._preferences,
+            traits_of([person.persona for person in everyone]),
         )
 
     def forget(self) -> None:
@@ -77,10 +85,7 @@ class Appraisals:
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        _appraise(
-            *self.judgements,
-            self.pleasing,
-            self._judged,
+        self._appraise(
             activity,
             eyes_open,
             robots.behaviors,
@@ -89,8 +94,6 @@ class Appraisals:
             senses.attention,
             senses.sees,
             senses.level,
-            self._preferences,
-            self._traits,
         )
 
     def preferred(
@@ -141,6 +144,8 @@ def _appraise(
     attending: Mask,
     pleasing: Mask,
     judged: Indices,
+    preferences: Floats,
+    traits: Traits,
     activity: Indices,
     eyes_open: Mask,
     doing: Indices,
@@ -149,8 +154,6 @@ def _appraise(
     attention: Floats,
     sees: Mask,
     level: Floats,
-    preferences: Floats,
-    traits: Traits,
 ) -> None:
     """Everybody appraises what each robot does: preference x how well perceived.
 
@@ -158,7 +161,7 @@ def _appraise(
     it saw, else the loudest that it hears.
 
     Args:
-        new: As in `Judgements`, like the three that follow; all filled in.
+        new: As in `Judgements`, like the three that follow; filled in.
         value: 0 for what is not perceived.
         believed: Shape (n_people, n_robots).
         attending: Shape (n_people, n_robots).
@@ -166,6 +169,8 @@ def _appraise(
             n_robots); filled in.
         judged: Decision at which the bout of each robot began that each person last
             judged, shape (n_people, n_robots); brought up to date in place.
+        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        traits: Of each person, shape (n_people,).
         activity: What each person does, shape (n_people,).
         eyes_open: Who is awake, shape (n_people,); sleepers hear only what wakes them.
         doing: Index of each robot's behavior, -1 for none, shape (n_robots,).
@@ -174,8 +179,6 @@ def _appraise(
         attention: How much, shape (n, n).
         sees: Who sees whom, shape (n, n).
         level: How loud each hears each, shape (n, n) [dB].
-        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
-        traits: Of each person, shape (n_people,).
     """
     n_people, n_robots = value.shape
     for i in range(n_people):

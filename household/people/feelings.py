@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -29,11 +30,17 @@ class Feelings:
     def __init__(
         self, personas: Sequence[Persona], n_robots: int, period: float
     ) -> None:
-        self._traits = traits_of(personas)
-        self._fading = np.array([math.exp(-period / p.mood_recovery) for p in personas])
         self.mood = np.zeros(len(personas))
         self.pleased = np.zeros((len(personas), n_robots))
         self.annoyed = np.zeros((len(personas), n_robots))
+        self._live_through = partial(
+            _live_through,
+            self.mood,
+            self.pleased,
+            self.annoyed,
+            np.array([math.exp(-period / p.mood_recovery) for p in personas]),
+            traits_of(personas),
+        )
 
     def forget(self) -> None:
         """Begins a new episode."""
@@ -42,16 +49,7 @@ class Feelings:
 
     def live_through(self, judgements: Judgements) -> None:
         """New judgements move moods and are remembered; then moods fade a little."""
-        _live_through(
-            self.mood,
-            self.pleased,
-            self.annoyed,
-            judgements.new,
-            judgements.value,
-            judgements.believed,
-            self._fading,
-            self._traits,
-        )
+        self._live_through(judgements.new, judgements.value, judgements.believed)
 
     def opinion(self, person: int, robot: int) -> int:
         """A questionnaire answer on a robot, from 1 to 10 (paper, section 4.1)."""
@@ -63,11 +61,11 @@ def _live_through(
     mood: Floats,
     pleased: Floats,
     annoyed: Floats,
+    fading: Floats,
+    traits: Traits,
     new: Mask,
     value: Floats,
     believed: Indices,
-    fading: Floats,
-    traits: Traits,
 ) -> None:
     for i in range(len(mood)):
         for r in range(new.shape[1]):

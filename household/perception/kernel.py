@@ -259,13 +259,6 @@ def attend(
 
 @compiled
 def perceive(
-    position: Array,
-    gaze: Array,
-    half_view: Array,
-    salience: Array,
-    absorption: Array,
-    source: Array,
-    now: float,
     walls: Array,
     tall: Array,
     wall_loss: float,
@@ -282,10 +275,17 @@ def perceive(
     level: Array,
     attends: Mask,
     began: Array,
+    position: Array,
+    gaze: Array,
+    half_view: Array,
+    salience: Array,
+    absorption: Array,
+    source: Array,
+    now: float,
 ) -> None:
     """All that everybody perceives at a moment; `Senses` says what is what.
 
-    From ``before`` on all is brought up to date in place.
+    From ``before`` to ``began`` all is brought up to date in place.
     """
     separate(before, position, walls, tall, wall_loss, hidden, loss)
     sees[:], facing[:] = sight(position, gaze, half_view, hidden)

@@ -1,5 +1,7 @@
 """Senses: who sees, hears and attends to whom at this moment."""
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,12 +35,7 @@ class Senses:
         # Walls are opaque too: what hides is counted as walls and as tall furniture.
         opaque, walls = plan.opaque_segments, len(plan.wall_segments)
         self._solid = opaque[:walls]
-        self._walls = np.ascontiguousarray(opaque[:walls].T)
-        self._tall = np.ascontiguousarray(opaque[walls:].T)
-        self._model = model
-        self._focus = np.deg2rad(model.focus)
         self._position = np.zeros((n, 2))
-        self._hidden = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
         self.attention = np.zeros((n, n))
@@ -46,6 +43,25 @@ class Senses:
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))
+        self._perceive = partial(
+            kernel.perceive,
+            np.ascontiguousarray(opaque[:walls].T),
+            np.ascontiguousarray(opaque[walls:].T),
+            model.wall_loss,
+            np.deg2rad(model.focus),
+            model.distance,
+            model.attend_above,
+            model.attend_below,
+            self._position,
+            np.zeros((n, n), dtype=np.int64),
+            self.loss,
+            self.sees,
+            self.facing,
+            self.attention,
+            self.level,
+            self.attends,
+            self.attention_began,
+        )
 
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
@@ -74,31 +90,7 @@ class Senses:
             source: Sound level of each at 1 m, shape (n,) [dB].
             now: [s].
         """
-        kernel.perceive(
-            position,
-            gaze,
-            half_view,
-            salience,
-            absorption,
-            source,
-            now,
-            self._walls,
-            self._tall,
-            self._model.wall_loss,
-            self._focus,
-            self._model.distance,
-            self._model.attend_above,
-            self._model.attend_below,
-            self._position,
-            self._hidden,
-            self.loss,
-            self.sees,
-            self.facing,
-            self.attention,
-            self.level,
-            self.attends,
-            self.attention_began,
-        )
+        self._perceive(position, gaze, half_view, salience, absorption, source, now)
 
     def nothing_between(self, one: Point, other: Point) -> bool:
         """Whether no wall or closed door stands between two points.

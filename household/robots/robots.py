@@ -1,6 +1,7 @@
 """The robots of a household: what each is doing and what it has felt."""
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,12 +38,19 @@ class Robots:
     def __init__(self, scenario: Scenario) -> None:
         self.names = scenario.robot_names
         self._durations = [b.duration for b in scenario.repertoire]
-        self._loudness = np.array([b.loudness for b in scenario.repertoire])
-        self._salience = np.array([b.salience for b in scenario.repertoire])
         n = len(self.names)
         self.behaviors, self.begun = np.zeros(n, np.intp), np.zeros(n, np.intp)
         self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
+        self._show = partial(
+            _show,
+            self.left,
+            self.behaviors,
+            self._began,
+            self._ends,
+            np.array([b.salience for b in scenario.repertoire]),
+            np.array([b.loudness for b in scenario.repertoire]),
+        )
         self.begin()
 
     def begin(self) -> None:
@@ -114,32 +122,21 @@ class Robots:
                 come before robots.
             source: How loud each is at 1 m [dB]; likewise.
         """
-        _show(
-            salience,
-            source,
-            self.left,
-            self.behaviors,
-            self._began,
-            self._ends,
-            since,
-            now,
-            self._salience,
-            self._loudness,
-        )
+        self._show(since, now, salience, source)
 
 
 @compiled
 def _show(
-    salience: Array,
-    source: Array,
     left: Array,
     behavior: NDArray[np.intp],
     began: Array,
     ends: Array,
-    since: float,
-    now: float,
     saliences: Array,
     loudness: Array,
+    since: float,
+    now: float,
+    salience: Array,
+    source: Array,
 ) -> None:
     first = len(salience) - len(behavior)
     for i in range(len(behavior)):

@@ -1,6 +1,7 @@
 """Doings: what people are about when no robot interrupts them, as time passes."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -55,6 +56,7 @@ class Doings:
         self._left = np.array([doing.lasts for doing in doings])
         self._until = np.array([doing.until for doing in doings])
         self._look_left = np.array([doing.look_lasts for doing in doings])
+        self._pass_time = partial(_pass_time, self._left, self._until, self._look_left)
 
     def play(self, now: float, period: float, arrived: Mask, wanted: Indices) -> None:
         """Lets time pass; what is not spent in the own place counts by the clock only.
@@ -65,10 +67,7 @@ class Doings:
             arrived: Who was in its place, shape (n,).
             wanted: The robot that each is out to touch instead, or `NOBODY`, (n,).
         """
-        over = _pass_time(
-            self._left, self._until, self._look_left, now, period, arrived, wanted
-        )
-        if over:
+        if self._pass_time(now, period, arrived, wanted):
             for i in range(len(self._doings)):
                 self._go_on(i, now)
 

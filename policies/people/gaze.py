@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,22 +34,19 @@ class GazeHabits:
     def __init__(
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
-        self._traits = traits_of(personas)
         self._draws = draws(rngs, DRAWS)
         self._look = np.full(len(personas), OWN_ACTIVITY, np.intp)
-        self._left = np.zeros(len(personas))
+        left = np.zeros(len(personas))
+        self._look_around = partial(_look_around, self._look, left, traits_of(personas))
 
     def look(self, percepts: Percepts) -> NDArray[np.intp]:
         """Index of the entity that each looks at now, or `OWN_ACTIVITY`."""
-        _look_around(
-            self._look,
-            self._left,
+        self._look_around(
             next(self._draws),
             percepts.level,
             percepts.sees,
             percepts.moving,
             percepts.period,
-            self._traits,
         )
         return self._look
 
@@ -57,12 +55,12 @@ class GazeHabits:
 def _look_around(
     look: Indices,
     left: Floats,
+    traits: Traits,
     draws: Floats,
     level: Floats,
     sees: Mask,
     moving: Mask,
     period: float,
-    traits: Traits,
 ) -> None:
     """Moves everybody's gaze on: ``look``, and how long it has ``left`` there [s]."""
     for i in range(len(look)):

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,30 +54,23 @@ class FeedbackGiving:
         rngs: Sequence[np.random.Generator],
     ) -> None:
         n = len(personas)
-        self._traits = traits_of(personas)
         self._draws = draws(rngs, DRAWS * n_robots)
-        self._freshness = np.ones((n, n_robots))
         self._state = np.zeros(n, STATE)
         self._state["robot"] = NOBODY
         self.wishes: list[Wish | None] = [None] * n
         self.wanted: Indices = self._state["robot"]
+        fresh = np.ones((n, n_robots))
+        self._consider = partial(_consider, self._state, fresh, traits_of(personas))
 
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfils or drops wishes."""
-        new, value, believed, attending = percepts.judgements
-        anything = _consider(
-            self._state,
-            self._freshness,
+        anything = self._consider(
             percepts.touched,
             percepts.pleasing,
-            new,
-            value,
-            believed,
-            attending,
+            *percepts.judgements,
             percepts.mood,
             percepts.period,
             next(self._draws),
-            self._traits,
         )
         if anything:
             changed = np.flatnonzero(self._state["changed"]).tolist()
@@ -101,6 +95,7 @@ class FeedbackGiving:
 def _consider(
     state: NDArray[np.void],
     freshness: Floats,
+    traits: Traits,
     touched: Mask,
     pleasing: Mask,
     new: Mask,
@@ -110,7 +105,6 @@ def _consider(
     mood: Floats,
     period: float,
     draws: Floats,
-    traits: Traits,
 ) -> bool:
     """What everybody perceived makes it used to politeness, and sometimes react.
 
@@ -118,6 +112,7 @@ def _consider(
         state: What each is out to do, as `STATE`, shape (n,); changed in place.
         freshness: How welcome each robot's politeness still is, in [0, 1], shape
             (n, n_robots); changed in place.
+        traits: Of each person, shape (n,).
         touched: As in `Percepts`, like all that follow up to ``period``.
         pleasing: Shape (n, n_robots).
         new: Shape (n, n_robots).
@@ -127,7 +122,6 @@ def _consider(
         mood: Shape (n,).
         period: [s].
         draws: Uniform numbers, shape (n, DRAWS * n_robots).
-        traits: Of each person, shape (n,).
 
     Returns:
         Whether anybody is out to do something else than before.

@@ -1,6 +1,7 @@
 """Minds: what makes simulated people act, put together from their habits."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -42,7 +43,6 @@ class EverydayMinds(Minds):
         self._personas = personas
         self._make_doings = make_doings
         self._n_robots = n_robots
-        self._traits = traits_of(personas)
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode."""
@@ -53,9 +53,15 @@ class EverydayMinds(Minds):
         self._gaze = GazeHabits(self._personas, looking)
         self._giving = FeedbackGiving(self._personas, self._n_robots, giving)
         n = len(self._personas)
-        self._awake = np.zeros(n)
         self._look = self._doings.look.copy()
         self._eyes_open = np.ones(n, np.bool_)
+        self._look_and_sleep = partial(
+            _look_and_sleep,
+            self._look,
+            self._eyes_open,
+            np.zeros(n),
+            traits_of(self._personas),
+        )
         self._intentions = self._intended()
         return self._intentions
 
@@ -65,10 +71,7 @@ class EverydayMinds(Minds):
         self._giving.consider(percepts)
         wanted = self._giving.wanted
         self._doings.play(percepts.time, percepts.period, percepts.arrived, wanted)
-        _look_and_sleep(
-            self._look,
-            self._eyes_open,
-            self._awake,
+        self._look_and_sleep(
             habit,
             self._doings.look,
             wanted,
@@ -76,7 +79,6 @@ class EverydayMinds(Minds):
             percepts.activity,
             percepts.level,
             percepts.period,
-            self._traits,
         )
         if self._giving.wishes is not self._intentions.wishes:
             self._intentions = self._intended()
@@ -94,6 +96,7 @@ def _look_and_sleep(
     look: Indices,
     eyes_open: Mask,
     awake: Floats,
+    traits: Traits,
     habit: Indices,
     told: Indices,
     wanted: Indices,
@@ -101,7 +104,6 @@ def _look_and_sleep(
     activity: Indices,
     level: Floats,
     period: float,
-    traits: Traits,
 ) -> None:
     """Where everybody looks, and whether with open eyes.
 
@@ -112,6 +114,7 @@ def _look_and_sleep(
         look: What it comes to, shape (n,); changed in place, like the next two.
         eyes_open: Shape (n,).
         awake: How long each cannot fall asleep yet, shape (n,) [s].
+        traits: Of each person, shape (n,).
         habit: Where each would look by habit, shape (n,).
         told: Where what it does has it look, or `OWN_ACTIVITY`, shape (n,).
         wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
@@ -119,7 +122,6 @@ def _look_and_sleep(
         activity: The role of each, shape (n,).
         level: How loud everybody hears each, people first, (n, n + n_robots) [dB].
         period: [s].
-        traits: Of each person, shape (n,).
     """
     n = len(look)
     for i in range(n):
