@@ -26,7 +26,7 @@ from household.locomotion import (
 )
 from household.records import Point
 from household.walking import walk_freely
-from household.ways import Ways
+from household.ways import Ways, set_out
 from household.world import World
 
 if TYPE_CHECKING:
@@ -114,6 +114,16 @@ class Crowd:
             self._ticks,
             self._tick,
         )
+        self._set_out = partial(
+            set_out,
+            *self._routes.arrays,
+            self.position,
+            self.walking,
+            self._nearest,
+            self._stalled,
+            self._settled,
+            self.walk_began,
+        )
         self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
         self._arrived = partial(arrived, *bodies, self._settled)
         self._lost = np.zeros(n, np.bool_)
@@ -158,7 +168,7 @@ class Crowd:
             goal: [m].
         """
         if self.walks(i):
-            return math.dist(self._ways.left(i)[-1], goal) <= DRIFT
+            return math.dist(self._ways.goal(i), goal) <= DRIFT
         crowded = math.dist(self._settled[i].tolist(), goal) <= DRIFT
         away = math.dist(self.where[i], goal)
         return away <= (CROWDED if crowded else DRIFT)
@@ -193,17 +203,12 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        on_its_way = self.walks(i)
-        before = self._ways.left(i) if on_its_way else ()
-        way = self._routes.plan(self.where[i], goal, before)
-        if not way:
-            self.halt(i)
-            return False
-        if not on_its_way:
-            self.walk_began[i] = now
-        self._take(i, way)
-        self._settled[i] = math.nan
-        return True
+        most, ways = self._ways.points.shape[1], self._ways
+        found = self._set_out(ways.points, ways.at, ways.count, i, *goal, now)
+        if found > most:
+            ways.make_room(found)
+            return self.send(i, goal, now)
+        return found > 0
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
@@ -251,17 +256,10 @@ class Crowd:
             if self.walks(i) and is_stuck(stalled):
                 self._try_another_way(i)
 
-    def _take(self, i: int, way: list[Point]) -> None:
-        """Sets out on a way."""
-        self._ways.set_out(i, way)
-        self.walking[i] = True
-        self._nearest[i] = math.inf
-        self._stalled[i] = 0.0
-
     def _try_another_way(self, i: int) -> None:
         """Settles for a place near the goal, or steps aside and plans anew."""
         self._stalled[i] = 0.0
-        goal = self._ways.left(i)[-1]
+        goal = self._ways.goal(i)
         if math.dist(self.where[i], goal) <= CROWDED:
             self.halt(i)
             self._settled[i] = goal
@@ -275,7 +273,8 @@ class Crowd:
         way = self._routes.plan(here, aside)
         way += self._routes.plan(way[-1], goal) if way else []
         if way:
-            self._take(i, way)
+            self._ways.take(i, way)
+            self._nearest[i] = math.inf
 
     def turn_heads(self, look: Indices, focus: Array, most: Array) -> None:
         """Turns every head towards where it wants to look; robots look ahead.

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.arrays import Floats, Indices
+from household.arrays import Floats, Indices, Mask
+from household.compiled import compiled
+from household.home.grid import Cells, Grid
+from household.home.straight import ROOM, find_way
 from household.records import Point
-
-ROOM = 8
-"""Waypoints that there is room for at first; hardly any way has more."""
 
 
 class Ways:
-    """The way that each body is on.
+    """The way that each body is on, or was on last.
 
     Attributes:
         points: The waypoints of each way, shape (n, most, 2) [m].
@@ -29,17 +29,95 @@ class Ways:
         self.at = np.zeros(n, np.intp)
         self.count = np.zeros(n, np.intp)
 
-    def set_out(self, i: int, way: Sequence[Point]) -> None:
+    def take(self, i: int, way: Sequence[Point]) -> None:
         """Puts a body at the beginning of a way."""
-        if len(way) > self.points.shape[1]:
-            more = len(way) - self.points.shape[1]
-            self.points = np.pad(self.points, ((0, 0), (0, more), (0, 0)))
-        points = self.points
-        for k, (x, y) in enumerate(way):
-            points[i, k, 0], points[i, k, 1] = x, y
+        self.make_room(len(way))
+        self.points[i, : len(way)] = way
         self.at[i], self.count[i] = 0, len(way)
 
-    def left(self, i: int) -> list[Point]:
-        """The waypoints that a body has not passed yet [m]."""
-        left = self.points[i, self.at[i] : self.count[i]].tolist()
-        return [(x, y) for x, y in left]
+    def make_room(self, most: int) -> None:
+        """Makes room for so many waypoints on each way."""
+        more = max(0, most - self.points.shape[1])
+        if more:
+            self.points = np.pad(self.points, ((0, 0), (0, more), (0, 0)))
+
+    def goal(self, i: int) -> Point:
+        """Where the way of a body ends [m]."""
+        x, y = self.points[i, self.count[i] - 1].tolist()
+        return x, y
+
+
+@compiled
+def set_out(
+    free: Grid,
+    parts: Cells,
+    corner: Floats,
+    untrodden: Cells,
+    kept_at: Cells,
+    kept: Cells,
+    n_kept: Indices,
+    position: Floats,
+    walking: Mask,
+    nearest: Floats,
+    stalled: Floats,
+    settled: Floats,
+    walk_began: Floats,
+    points: Floats,
+    at: Indices,
+    count: Indices,
+    i: int,
+    x: float,
+    y: float,
+    now: float,
+) -> int:
+    """Sends a body on a walk.
+
+    Args:
+        free: As in `find_way`, like all that follow up to ``n_kept``.
+        parts: Shape (width, height).
+        corner: Shape (2,) [m].
+        untrodden: Shape (width, height).
+        kept_at: Shape (width * height,).
+        kept: Shape (n_goals, width * height).
+        n_kept: Shape (1,).
+        position: Shape (n, 2) [m].
+        walking: Shape (n,); changed in place, like all that follow up to ``count``.
+        nearest: As in `follow_up`, shape (n,) [m].
+        stalled: As in `follow_up`, shape (n,) [s].
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        walk_began: Shape (n,) [s].
+        points: From `Ways`, like the two that follow, shape (n, most, 2) [m].
+        at: Shape (n,).
+        count: Shape (n,).
+        i: Index of the body.
+        x: Where to [m].
+        y: Where to [m].
+        now: [s].
+
+    Returns:
+        How many waypoints the way has: 0, and the body stands, if no way leads there;
+        and it has not set out if they are more than there is room for.
+    """
+    left = count[i] if walking[i] else at[i]
+    found = find_way(
+        free,
+        parts,
+        corner,
+        untrodden,
+        kept_at,
+        kept,
+        n_kept,
+        (position[i, 0], position[i, 1]),
+        (x, y),
+        points[i],
+        at[i],
+        left,
+    )
+    if found == 0:
+        walking[i] = False
+    elif found <= points.shape[1]:
+        if not walking[i]:
+            walking[i], walk_began[i] = True, now
+        at[i], count[i] = 0, found
+        nearest[i], stalled[i], settled[i] = np.inf, 0.0, np.nan
+    return found

@@ -4,7 +4,6 @@ A person's center may be wherever its body clears everything solid. That free sp
 is a grid; shortest ways on it are pulled straight wherever the straight line is free.
 """
 
-import math
 from collections.abc import Sequence
 from functools import cached_property, lru_cache, reduce
 
@@ -13,19 +12,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
+from household.arrays import Indices
 from household.home.floorplan import FloorPlan
-from household.home.straight import (
-    CELL,
-    CLOSED,
-    FAR,
-    NOWHERE,
-    cell_of,
-    ends_of,
-    in_cells,
-    line_is_free,
-    onward_to,
-    turning_way,
-)
+from household.home.grid import CELL, Cells, Grid, cell_of
+from household.home.shortest import CLOSED, FAR, room_for_ways
+from household.home.straight import ROOM, find_way
 from household.records import Point
 
 CLEARANCE = 0.3
@@ -33,13 +24,6 @@ CLEARANCE = 0.3
 
 STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 """Half of the eight directions; the graph is undirected."""
-
-KEPT = 1024
-"""Goals to which ways are kept at most; they take 4 bytes per cell."""
-
-BENT = 1.0
-"""So far may the end of a way be moved before the way is planned anew [m]: who follows
-somebody need not think of the whole way at each step."""
 
 MARGIN = 6 * CELL
 """Free ground round the home [m], so that all that is outdoors hangs together."""
@@ -52,11 +36,9 @@ class Routes:
 
     def __init__(self, plan: FloorPlan) -> None:
         self._origin = plan.lower - MARGIN
-        self._corner: Point = (float(self._origin[0]), float(self._origin[1]))
         shape = np.ceil((plan.upper + MARGIN - self._origin) / CELL).astype(int)
         self._shape: tuple[int, int] = (int(shape[0]), int(shape[1]))
         self.free = self._clear_of(plan)
-        self._kept: dict[int, NDArray[np.int32]] = {}
 
     def _clear_of(self, plan: FloorPlan) -> NDArray[np.bool_]:
         """Marks the cells whose center clears walls and furniture."""
@@ -102,7 +84,7 @@ class Routes:
 
     def cell(self, point: Point | Array) -> tuple[int, int]:
         """The grid cell that holds a point, clipped to the grid."""
-        return cell_of(self.free, self._corner, (float(point[0]), float(point[1])))
+        return cell_of(self.free, self._origin, (float(point[0]), float(point[1])))
 
     def is_indoors(self, point: Array) -> bool:
         """Whether a body fits at a point that the walls close off from outside."""
@@ -124,6 +106,12 @@ class Routes:
         """Of the cells, for `onward_to`."""
         return np.where(self._indoors, FAR, CLOSED).astype(np.int32)
 
+    @cached_property
+    def arrays(self) -> tuple[Grid, Cells, Array, Cells, Cells, Cells, Indices]:
+        """What `find_way` is to be given first."""
+        kept = room_for_ways(self.free.size)
+        return self.free, self.parts, self._origin, self._untrodden, *kept
+
     def plan(
         self, start: Point, goal: Point, before: Sequence[Point] = ()
     ) -> list[Point]:
@@ -140,33 +128,13 @@ class Routes:
             Points [m] to walk to one after the other, the last one nearest to the
             goal. Empty if no way leads there.
         """
-        first, last, end = ends_of(self.free, self.parts, self._corner, start, goal)
-        if first == last:
-            return [end] if first != NOWHERE else []
-        if len(before) > 1 and self._leads_on(before, end):
-            return [*before[:-1], end]
-        onward = self._onward(first, last)
-        return turning_way(self.free, onward, self._corner, first, end)
-
-    def _leads_on(self, way: Sequence[Point], end: Point) -> bool:
-        """Whether a way leads to a new end close to its own."""
-        near = math.dist(way[-1], end) <= BENT
-        return near and line_is_free(
-            self.free, in_cells(self._corner, way[-2]), in_cells(self._corner, end)
-        )
-
-    def _onward(self, first: int, last: int) -> NDArray[np.int32]:
-        """Ways to the last cell from all that are as near as the first.
-
-        They are kept for the next who walks there: that saves time, and changes no way.
-        """
-        onward = self._kept.get(last)
-        if onward is None or onward[first] == NOWHERE:
-            onward = onward_to(self._untrodden, last, first)
-            if len(self._kept) >= KEPT:
-                self._kept.clear()
-            self._kept[last] = onward
-        return onward
+        way = np.zeros((max(ROOM, len(before)), 2))
+        way[: len(before)] = np.reshape(before, (-1, 2))
+        count = find_way(*self.arrays, start, goal, way, 0, len(before))
+        if count > len(way):
+            way = np.zeros((count, 2))
+            count = find_way(*self.arrays, start, goal, way, 0, 0)
+        return [(x, y) for x, y in way[:count].tolist()]
 
 
 def _shifted(dx: int, dy: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:

@@ -300,6 +300,25 @@ def test_a_way_leads_through_an_open_door_and_not_through_a_closed_one(
     assert (len(way) > 0) == leads
 
 
+def test_a_way_may_turn_as_often_as_it_must(room, crowd_in):
+    """Round the ends of eleven walls that stand out from either side in turn."""
+    ends = [(0.0, 4.0) if k % 2 else (1.0, 5.0) for k in range(11)]
+    walls = tuple((x, low, x, high) for x, (low, high) in enumerate(ends, start=1))
+    plan = room(size=(12.0, 5.0), walls=walls)
+    start, goal = (0.5, 2.5), (11.5, 2.5)
+    way = routes_of(plan).plan(start, goal)
+    assert len(way) > len(walls)
+    assert routes_of(plan).plan(start, (11.5, 2.6), way)[:-1] == way[:-1]
+    crowd = crowd_in(plan, [start, (0.5, 4.0)], speed=1.2)
+    assert crowd.send(0, goal, 0.0)
+    seconds = 0
+    while crowd.walks(0):
+        crowd.advance(5)
+        seconds += 1
+        assert seconds < 2 * length(start, way) / 1.2
+    assert math.dist(crowd.position[0], goal) < 0.1
+
+
 def test_no_way_depends_on_what_else_was_asked_before():
     plan = load_floorplan("family_apartment")
     spots = [region.center for region in plan.regions]
