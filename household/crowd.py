@@ -16,10 +16,10 @@ from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
     CROWDED,
-    DRIFT,
     arrived,
     astray,
     follow_up,
+    is_bound_for,
     is_stuck,
     steer,
     turn_heads,
@@ -126,6 +126,7 @@ class Crowd:
         )
         self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
         self._arrived = partial(arrived, *bodies, self._settled)
+        self._is_bound_for = partial(is_bound_for, *bodies, self._settled)
         self._lost = np.zeros(n, np.bool_)
         self._astray = partial(astray, *bodies, self._settled, self._lost)
 
@@ -144,7 +145,8 @@ class Crowd:
     def where(self) -> list[Point]:
         """`position` in Python's own numbers: a tenth of the time to read."""
         if self._where is None:
-            self._where = [(x, y) for x, y in self.position.tolist()]
+            xs, ys = self.position.T.tolist()
+            self._where = list(zip(xs, ys, strict=True))
         return self._where
 
     @property
@@ -167,11 +169,7 @@ class Crowd:
             i: Index of the body.
             goal: [m].
         """
-        if self.walks(i):
-            return math.dist(self._ways.goal(i), goal) <= DRIFT
-        crowded = math.dist(self._settled[i].tolist(), goal) <= DRIFT
-        away = math.dist(self.where[i], goal)
-        return away <= (CROWDED if crowded else DRIFT)
+        return self._is_bound_for(self._ways.points, self._ways.count, i, *goal)
 
     def arrived(self, goals: Array, there: Mask) -> None:
         """Who stands at its goal, or as near to it as others let it.

@@ -161,11 +161,7 @@ def is_stuck(stalled: float) -> bool:
 
 @compiled
 def arrived(
-    position: Array,
-    walking: Mask,
-    settled: Array,
-    goals: Array,
-    there: Mask,
+    position: Array, walking: Mask, settled: Array, goals: Array, there: Mask
 ) -> None:
     """Who stands at its goal, or as near to it as others let it.
 
@@ -177,7 +173,8 @@ def arrived(
         there: Shape (m,); filled in.
     """
     for i in range(len(goals)):
-        there[i] = not walking[i] and _is_at(position[i], goals[i], settled[i])
+        x, y = goals[i]
+        there[i] = not walking[i] and _is_at(position[i], settled[i], x, y)
 
 
 @compiled
@@ -190,12 +187,12 @@ def astray(
     count: Indices,
     goals: Array,
 ) -> bool:
-    """Who is neither at its goal, or as near as others let it, nor on its way there.
+    """Who is not bound for its goal.
 
     Args:
-        position: Shape (n, 2) [m].
+        position: As in `is_bound_for`, like the two that follow.
         walking: Shape (n,).
-        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        settled: Shape (n, 2) [m].
         lost: Set to who is, shape (n,).
         points: From `Ways`, shape (n, most, 2) [m].
         count: From `Ways`, shape (n,).
@@ -206,12 +203,38 @@ def astray(
     """
     anybody = False
     for i in range(len(goals)):
-        if walking[i]:
-            lost[i] = not _apart(points[i, count[i] - 1], goals[i]) <= DRIFT
-        else:
-            lost[i] = not _is_at(position[i], goals[i], settled[i])
+        x, y = goals[i]
+        lost[i] = not is_bound_for(position, walking, settled, points, count, i, x, y)
         anybody |= lost[i]
     return anybody
+
+
+@compiled
+def is_bound_for(
+    position: Array,
+    walking: Mask,
+    settled: Array,
+    points: Array,
+    count: Indices,
+    i: int,
+    x: float,
+    y: float,
+) -> bool:
+    """Whether a body is at a goal, on its way there, or as near as others let it.
+
+    Args:
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        points: From `Ways`, shape (n, most, 2) [m].
+        count: From `Ways`, shape (n,).
+        i: Index of the body.
+        x: Of the goal [m].
+        y: Of the goal [m].
+    """
+    if walking[i]:
+        return _away(points[i, count[i] - 1], x, y) <= DRIFT
+    return _is_at(position[i], settled[i], x, y)
 
 
 @compiled
@@ -230,21 +253,22 @@ def within_reach(position: Array, quarry: Indices, reach: float, near: Mask) -> 
     for i in range(len(quarry)):
         near[i] = False
         if quarry[i] != NOBODY:
-            near[i] = _apart(position[i], position[quarry[i]]) <= reach
+            x, y = position[quarry[i]]
+            near[i] = _away(position[i], x, y) <= reach
     return bool(near.any())
 
 
 @compiled
-def _is_at(position: Array, goal: Array, settled: Array) -> bool:
+def _is_at(position: Array, settled: Array, x: float, y: float) -> bool:
     """Whether a body that stands is at a point, or as near as others let it."""
-    crowded = _apart(settled, goal) <= DRIFT
-    return _apart(position, goal) <= (CROWDED if crowded else DRIFT)
+    crowded = _away(settled, x, y) <= DRIFT
+    return _away(position, x, y) <= (CROWDED if crowded else DRIFT)
 
 
 @compiled
-def _apart(a: Array, b: Array) -> float:
-    """Distance between two points [m]; NaN if one of them is unknown."""
-    return np.hypot(a[0] - b[0], a[1] - b[1])
+def _away(point: Array, x: float, y: float) -> float:
+    """Distance from one point to another [m]; NaN if one of them is unknown."""
+    return np.hypot(point[0] - x, point[1] - y)
 
 
 @compiled
