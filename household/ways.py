@@ -7,6 +7,7 @@ import numpy as np
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
 from household.home.grid import Cells, Grid
+from household.home.shortest import Turns
 from household.home.straight import ROOM, find_way
 from household.records import Point
 
@@ -52,9 +53,9 @@ def set_out(
     free: Grid,
     parts: Cells,
     corner: Floats,
-    untrodden: Cells,
+    scratch: Cells,
     kept_at: Cells,
-    kept: Cells,
+    kept: Turns,
     n_kept: Indices,
     position: Floats,
     walking: Mask,
@@ -76,9 +77,9 @@ def set_out(
         free: As in `find_way`, like all that follow up to ``n_kept``.
         parts: Shape (width, height).
         corner: Shape (2,) [m].
-        untrodden: Shape (width, height).
-        kept_at: Shape (width * height,).
-        kept: Shape (n_goals, width * height).
+        scratch: Shape (7, n_cells).
+        kept_at: Shape (n_cells,).
+        kept: Shape (n_goals, n_cells).
         n_kept: Shape (1,).
         position: Shape (n, 2) [m].
         walking: Shape (n,); changed in place, like all that follow up to ``count``.
@@ -103,7 +104,7 @@ def set_out(
         free,
         parts,
         corner,
-        untrodden,
+        scratch,
         kept_at,
         kept,
         n_kept,

@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 from household.arrays import Indices
 from household.home.floorplan import FloorPlan
 from household.home.grid import CELL, Cells, Grid, cell_of
-from household.home.shortest import CLOSED, FAR, room_for_ways
+from household.home.shortest import Turns, room_for_ways
 from household.home.straight import ROOM, find_way
 from household.records import Point
 
@@ -102,15 +102,9 @@ class Routes:
         return self.free & (self.parts != self.parts[0, 0])
 
     @cached_property
-    def _untrodden(self) -> NDArray[np.int32]:
-        """Of the cells, for `onward_to`."""
-        return np.where(self._indoors, FAR, CLOSED).astype(np.int32)
-
-    @cached_property
-    def arrays(self) -> tuple[Grid, Cells, Array, Cells, Cells, Cells, Indices]:
+    def arrays(self) -> tuple[Grid, Cells, Array, Cells, Cells, Turns, Indices]:
         """What `find_way` is to be given first."""
-        kept = room_for_ways(self.free.size)
-        return self.free, self.parts, self._origin, self._untrodden, *kept
+        return self.free, self.parts, self._origin, *room_for_ways(self._indoors)
 
     def plan(
         self, start: Point, goal: Point, before: Sequence[Point] = ()

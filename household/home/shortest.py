@@ -1,10 +1,13 @@
 """Shortest ways on the grid of free space; those that were once found are kept."""
 
 import numpy as np
+from numpy.typing import NDArray
 
-from household.arrays import Indices
+from household.arrays import Indices, Mask
 from household.compiled import compiled
 from household.home.grid import NOWHERE, Cells
+
+Turns = NDArray[np.int8]
 
 STRAIGHT, DIAGONAL = 12, 17
 """Lengths of steps to neighboring cells: whole numbers, so that cells are found in
@@ -17,6 +20,9 @@ which a remainder is cheap."""
 FAR, CLOSED = np.iinfo(np.int32).max, -1
 """Distance of cells not yet found, and of those that no way may lead through."""
 
+HERE, UNKNOWN = 4, -1
+"""In place of the next step, from 0 to 8: at the goal, and where no way is known."""
+
 MOST_BYTES = 64 << 20
 """Of memory for the ways that are kept."""
 
@@ -24,98 +30,112 @@ MOST_GOALS = 1024
 """To which ways are kept."""
 
 
-def room_for_ways(n_cells: int) -> tuple[Cells, Cells, Indices]:
-    """Room to keep ways in; memory is taken only when it is used.
+def room_for_ways(indoors: Mask) -> tuple[Cells, Cells, Turns, Indices]:
+    """Room to find ways in, and to keep them; most of it is taken when it is used.
 
     Args:
-        n_cells: Of the grid.
+        indoors: Where ways may lead, nowhere at the edge, shape (width, height).
 
     Returns:
-        Where the ways to each cell are kept, `NOWHERE` if they are not, (n_cells,);
-        for each goal that is kept the next cell from every other, (n_goals, n_cells);
-        and how many goals are, (1,).
+        scratch: For `_search`, shape (7, n_cells).
+        kept_at: In which row of ``kept`` the ways to each cell are, `NOWHERE` if they
+            are not kept, shape (n_cells,).
+        kept: For each goal that is kept the step from every cell, (n_goals, n_cells).
+        n_kept: How many goals are, shape (1,).
     """
-    goals = max(1, min(MOST_GOALS, MOST_BYTES // (4 * n_cells)))
+    n_cells = indoors.size
+    scratch = np.zeros((7, n_cells), np.int32)
+    scratch[0] = np.where(indoors, FAR, CLOSED).ravel()
+    goals = max(1, min(MOST_GOALS, MOST_BYTES // n_cells))
     kept_at = np.full(n_cells, NOWHERE, np.int32)
-    return kept_at, np.empty((goals, n_cells), np.int32), np.zeros(1, np.intp)
+    return scratch, kept_at, np.empty((goals, n_cells), np.int8), np.zeros(1, np.intp)
 
 
 @compiled
 def onward_to(
-    untrodden: Cells,
+    height: int,
+    scratch: Cells,
     kept_at: Cells,
-    kept: Cells,
+    kept: Turns,
     n_kept: Indices,
     goal: int,
     start: int,
-) -> Cells:
+) -> Turns:
     """Ways to a cell from all that are as near as another.
 
     They are kept for the next who walks there: that saves time, and changes no way.
 
     Args:
-        untrodden: As in `_search`.
-        kept_at: From `room_for_ways`; brought up to date in place, like the next two.
-        kept: From `room_for_ways`.
-        n_kept: From `room_for_ways`.
+        height: Of the grid.
+        scratch: From `room_for_ways`, like the three that follow; brought up to date.
+        kept_at: Shape (n_cells,).
+        kept: Shape (n_goals, n_cells).
+        n_kept: Shape (1,).
         goal: A cell.
         start: A cell from which a way leads there.
 
     Returns:
-        A row of ``kept``: for each cell the next one on its way, `NOWHERE` at the goal
-        and where the way is not known.
+        A row of ``kept``: the step that leads on from each cell, see `beyond`.
     """
     if kept_at[goal] == NOWHERE:
         if n_kept[0] == len(kept):
             kept_at[:], n_kept[0] = NOWHERE, 0
         kept_at[goal] = n_kept[0]
         n_kept[0] += 1
-        _search(untrodden, goal, start, kept[kept_at[goal]])
-    elif kept[kept_at[goal], start] == NOWHERE:
-        _search(untrodden, goal, start, kept[kept_at[goal]])
+        _search(height, scratch, goal, start, kept[kept_at[goal]])
+    elif kept[kept_at[goal], start] == UNKNOWN:
+        _search(height, scratch, goal, start, kept[kept_at[goal]])
     return kept[kept_at[goal]]
 
 
 @compiled
-def _search(untrodden: Cells, goal: int, start: int, onward: Cells) -> None:
+def beyond(cell: int, step: int, height: int) -> int:
+    """The cell that a step leads to: 0 to 8, as in three columns of three cells."""
+    return cell + (step // 3 - 1) * height + step % 3 - 1
+
+
+@compiled
+def _search(height: int, scratch: Cells, goal: int, start: int, onward: Turns) -> None:
     """Shortest ways to a cell (Dijkstra's, with Dial's buckets).
 
     The search ends once the way from ``start`` is known, and with it all ways that are
     no longer. They are the same however far a search goes.
 
     Args:
-        untrodden: `FAR` for each cell where ways may lead, none of them at the edge
-            of the grid, and `CLOSED` for all others, shape (width, height).
+        height: Of the grid.
+        scratch: `FAR` for each cell where ways may lead, none of them at the edge of
+            the grid, and `CLOSED` for all others, in its first row; that is so again in
+            the end. The other six are for entries. Shape (7, width * height).
         goal: A cell.
         start: A cell from which a way leads there.
-        onward: Filled in with the next cell on the way of each, `NOWHERE` at the goal
-            and where the way is not known, shape (width * height,).
+        onward: Filled in with the step that leads on from each cell, `HERE` at the
+            goal, `UNKNOWN` where the way is not known, shape (width * height,).
     """
-    height = untrodden.shape[1]
-    away = untrodden.copy().ravel()  # As far as found.
-    onward[:] = NOWHERE
+    onward[:] = UNKNOWN
+    away = scratch[0]  # As far as found.
     # A bucket for each distance that can be waiting, in each a list of entries: a
-    # cell, the next one on its way and the entry that follows in the bucket. A cell
-    # comes in twice at most, over a diagonal and then over a shorter, straight step.
+    # cell, the step that leads on from it and the entry that follows in the bucket. A
+    # cell comes in twice at most, over a diagonal and then over a shorter step.
     bucket = np.full(BUCKETS, NOWHERE, np.int32)
-    cells, nexts, followers = np.empty((3, 2 * away.size), np.int32)
-    cells[0], nexts[0], followers[0] = goal, NOWHERE, NOWHERE
+    cells, steps, followers = scratch[1:].reshape((3, -1))
+    cells[0], steps[0], followers[0] = goal, HERE, NOWHERE
     away[goal], bucket[0], entries, distance = 0, 0, 1, 0
     while away[start] >= distance:
         entry = bucket[distance % BUCKETS]
         bucket[distance % BUCKETS] = NOWHERE
         while entry != NOWHERE:
-            cell, onto, entry = cells[entry], nexts[entry], followers[entry]
+            cell, step, entry = cells[entry], steps[entry], followers[entry]
             if away[cell] < distance:
                 continue
-            onward[cell] = onto
-            for dx in range(-1, 2):
-                for dy in range(-1, 2):
-                    there = cell + dx * height + dy
-                    reached = distance + (DIAGONAL if dx and dy else STRAIGHT)
-                    if reached < away[there]:
-                        k = reached % BUCKETS
-                        cells[entries], nexts[entries] = there, cell
-                        followers[entries], bucket[k] = bucket[k], entries
-                        away[there], entries = reached, entries + 1
+            onward[cell] = step
+            for out in range(9):
+                there = beyond(cell, out, height)
+                reached = distance + (STRAIGHT if out % 2 else DIAGONAL)
+                if reached < away[there]:
+                    k = reached % BUCKETS
+                    cells[entries], steps[entries] = there, 8 - out
+                    followers[entries], bucket[k] = bucket[k], entries
+                    away[there], entries = reached, entries + 1
         distance += 1
+    for entry in range(entries):
+        away[cells[entry]] = FAR

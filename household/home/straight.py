@@ -13,7 +13,7 @@ from household.home.grid import (
     in_cells,
     line_is_free,
 )
-from household.home.shortest import onward_to
+from household.home.shortest import HERE, Turns, beyond, onward_to
 from household.records import Point
 
 BENT = 1.0
@@ -29,9 +29,9 @@ def find_way(
     free: Grid,
     parts: Cells,
     corner: Floats,
-    untrodden: Cells,
+    scratch: Cells,
     kept_at: Cells,
-    kept: Cells,
+    kept: Turns,
     n_kept: Indices,
     start: Point,
     goal: Point,
@@ -47,9 +47,9 @@ def find_way(
         free: The grid, shape (width, height).
         parts: Label of the connected part of each cell, shape (width, height).
         corner: Of the grid, shape (2,) [m].
-        untrodden: As in `onward_to`, like the three that follow.
-        kept_at: Shape (width * height,).
-        kept: Shape (n_goals, width * height).
+        scratch: From `room_for_ways`, like the three that follow; brought up to date.
+        kept_at: Shape (n_cells,).
+        kept: Shape (n_goals, n_cells).
         n_kept: Shape (1,).
         start: Where the walk begins [m].
         goal: Where it should end [m]; where no body fits, the nearest place where one
@@ -74,7 +74,7 @@ def find_way(
     if first == last:
         way[0, 0], way[0, 1] = end
         return 1
-    onward = onward_to(untrodden, kept_at, kept, n_kept, last, first)
+    onward = onward_to(free.shape[1], scratch, kept_at, kept, n_kept, last, first)
     turns = _turns(free, onward, corner, first, end)
     if len(turns) <= len(way):
         way[: len(turns)] = turns
@@ -92,7 +92,7 @@ def _leads_on(free: Grid, corner: Floats, way: Floats, count: int, end: Point) -
 
 
 @compiled
-def _turns(free: Grid, onward: Cells, corner: Floats, first: int, end: Point) -> Floats:
+def _turns(free: Grid, onward: Turns, corner: Floats, first: int, end: Point) -> Floats:
     """A shortest way pulled straight: one walks straight between its points.
 
     Args:
@@ -125,13 +125,13 @@ def _turns(free: Grid, onward: Cells, corner: Floats, first: int, end: Point) ->
 
 
 @compiled
-def _middles(onward: Cells, first: int, height: int) -> Floats:
+def _middles(onward: Turns, first: int, height: int) -> Floats:
     """Middles of the cells on a way, shape (n, 2), in cells from the grid's corner."""
-    count, here = 0, first
-    while here != NOWHERE:
-        count, here = count + 1, onward[here]
+    count, here = 1, first
+    while onward[here] != HERE:
+        count, here = count + 1, beyond(here, onward[here], height)
     middles, here = np.empty((count, 2)), first
     for k in range(count):
         middles[k, 0], middles[k, 1] = here // height + 0.5, here % height + 0.5
-        here = onward[here]
+        here = beyond(here, onward[here], height)
     return middles
