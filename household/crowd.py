@@ -180,13 +180,14 @@ class Crowd:
         """
         self._arrived(goals, there)
 
-    def astray(self, goals: Array) -> list[int]:
-        """Who is neither at its goal nor on its way there; see `is_bound_for`.
+    def astray(self, goals: Array, quarry: Indices = NO_QUARRY) -> list[int]:
+        """Who is not bound for its goal, or for whom it is after; see `is_bound_for`.
 
         Args:
             goals: One for each of the first bodies, shape (m, 2) [m].
+            quarry: Whom some of them are after instead, `NOBODY` for none, shape (k,).
         """
-        if not self._astray(self._ways.points, self._ways.count, goals):
+        if not self._astray(self._ways.points, self._ways.count, goals, quarry):
             return []
         return np.flatnonzero(self._lost[: len(goals)]).tolist()
 

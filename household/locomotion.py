@@ -186,8 +186,9 @@ def astray(
     points: Array,
     count: Indices,
     goals: Array,
+    quarry: Indices,
 ) -> bool:
-    """Who is not bound for its goal.
+    """Who is not bound for its goal, or for whom it is after.
 
     Args:
         position: As in `is_bound_for`, like the two that follow.
@@ -197,6 +198,7 @@ def astray(
         points: From `Ways`, shape (n, most, 2) [m].
         count: From `Ways`, shape (n,).
         goals: One for each of the first m bodies, shape (m, 2) [m].
+        quarry: Whom some of them are after instead, `NOBODY` for none, shape (k,).
 
     Returns:
         Whether anybody is.
@@ -204,6 +206,8 @@ def astray(
     anybody = False
     for i in range(len(goals)):
         x, y = goals[i]
+        if i < len(quarry) and quarry[i] != NOBODY:
+            x, y = position[quarry[i]]
         lost[i] = not is_bound_for(position, walking, settled, points, count, i, x, y)
         anybody |= lost[i]
     return anybody

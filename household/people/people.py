@@ -22,7 +22,9 @@ from household.people.mind import (
 from household.people.person import everyone_of
 from household.people.places import NOWHERE, Places, place_of
 from household.people.traits import Traits, traits_of
+from household.perception.kernel import between
 from household.perception.senses import Senses
+from household.records import Point
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
@@ -84,7 +86,7 @@ class People:
             self.places.facing,
             traits_of(personas),
         )
-        self._wishes: list[tuple[int, Wish]] = []
+        self._wishes: dict[int, Wish] = {}
         self._percepts: Percepts | None = None
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
@@ -102,7 +104,7 @@ class People:
         self.appraisals.forget()
         self._claimed = [NOWHERE] * len(self.everyone)
         self.quarry[:] = NOBODY
-        self._wishes, self._percepts = [], None
+        self._wishes, self._percepts = {}, None
         self.intentions = self._minds.reset(rngs)
         self._claim_places()
         position = np.zeros((len(self.everyone), 2))
@@ -153,19 +155,16 @@ class People:
         self.intentions = self._minds.decide(
             self._perceived(crowd, senses, robots, now)
         )
-        self.touched[:] = False
         self._claim_places()
         wishes = self.intentions.wishes
-        if wishes is before:
-            self._set_out(crowd, senses, now)
-            return
-        self._wishes = [(i, wish) for i, wish in enumerate(wishes) if wish]
-        n = len(wishes)
-        self.quarry[:] = [n + wish.robot if wish else NOBODY for wish in wishes]
-        self._set_out(crowd, senses, now)
-        for i, (new, old) in enumerate(zip(wishes, before, strict=True)):
-            on_its_way = new is not old and crowd.walks(i)
-            if on_its_way and not self._is_at_hand(i, crowd, senses):
+        changed = [] if wishes is before else self._take_up(wishes, before)
+        self.touched[:] = False
+        at_hand = self._at_hand(crowd, senses)
+        for i in crowd.astray(self._spots, self.quarry):
+            if i not in at_hand:
+                crowd.send(i, self._goal(i, crowd), now)
+        for i in changed:
+            if i not in at_hand and crowd.walks(i):
                 # Who was on its way elsewhere is so no longer.
                 crowd.walk_began[i] = now
 
@@ -202,47 +201,70 @@ class People:
                 self._spots[i] = self.places.claim(i, place)
         self._claimed = intended
 
+    def _take_up(
+        self, wishes: Sequence[Wish | None], before: Sequence[Wish | None]
+    ) -> list[int]:
+        """Who wants to touch a robot goes after it; returns whose wish is another."""
+        changed = [
+            i
+            for i, (new, old) in enumerate(zip(wishes, before, strict=True))
+            if new is not old or self.touched[i]
+        ]
+        for i in changed:
+            wish = wishes[i]
+            if wish is None:
+                self._forget_wish(i)
+            else:
+                self._wishes[i] = wish
+                self.quarry[i] = len(wishes) + wish.robot
+        return changed
+
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
         """The touches that people can give from where they stand, and who can."""
-        near = self._near
-        at_all = self._wishes and within_reach(crowd.position, self.quarry, REACH, near)
-        if not at_all:
-            return []
-        return [
-            (i, wish)
-            for i, wish in self._wishes
-            if near[i] and self._reaches(i, wish, crowd, senses)
-        ]
+        return [(i, self._wishes[i]) for i in self._at_hand(crowd, senses)]
 
     def has_touched(self, i: int) -> None:
         """A person's wish is fulfilled; its mind hears of it when it next decides."""
         self.touched[i] = True
+        self._forget_wish(i)
+
+    def _forget_wish(self, i: int) -> None:
+        self._wishes.pop(i, None)
         self.quarry[i] = NOBODY
-        self._wishes = [wish for wish in self._wishes if wish[0] != i]
 
-    def _reaches(self, i: int, wish: Wish, crowd: Crowd, senses: Senses) -> bool:
-        """Whether a person's hand can touch the robot from where it stands."""
-        person = crowd.where[i]
-        robot = crowd.where[len(self.everyone) + wish.robot]
-        near = math.dist(person, robot) <= REACH
-        return near and senses.nothing_between(person, robot)
+    def _at_hand(self, crowd: Crowd, senses: Senses) -> list[int]:
+        """Whose hand can touch what it is out to touch from where it stands."""
+        anybody = self._wishes and _at_hand(
+            crowd.position, self.quarry, senses.walls, self._near
+        )
+        return np.flatnonzero(self._near).tolist() if anybody else []
 
-    def _is_at_hand(self, i: int, crowd: Crowd, senses: Senses) -> bool:
-        """Whether a person can touch what it is out to touch from where it stands."""
-        wish = self.intentions.wishes[i]
-        return wish is not None and self._reaches(i, wish, crowd, senses)
+    def _goal(self, i: int, crowd: Crowd) -> Point:
+        """Where a person wants to be [m]."""
+        if i in self._wishes:
+            return crowd.where[self.quarry[i]]
+        x, y = self._spots[i].tolist()
+        return x, y
 
-    def _set_out(self, crowd: Crowd, senses: Senses, now: float) -> None:
-        """Everybody walks to where it wants to be, unless on the way or there."""
-        goals, n = self._spots, len(self.everyone)
-        if self._wishes:
-            goals = goals.copy()
-            for i, wish in self._wishes:
-                goals[i] = crowd.where[n + wish.robot]
-        for i in crowd.astray(goals):
-            if not self._is_at_hand(i, crowd, senses):
-                x, y = goals[i].tolist()
-                crowd.send(i, (x, y), now)
+
+@compiled
+def _at_hand(position: Floats, quarry: Indices, walls: Floats, near: Mask) -> bool:
+    """Who could touch what it is after: it is within reach, with no wall between.
+
+    Args:
+        position: Shape (n, 2) [m].
+        quarry: Whom each of the first m bodies is after, `NOBODY` for none, shape (m,).
+        walls: As in `between`, shape (4, k) [m].
+        near: Set to who could, shape (m,).
+
+    Returns:
+        Whether anybody could.
+    """
+    if not within_reach(position, quarry, REACH, near):
+        return False
+    for i in range(len(quarry)):
+        near[i] = near[i] and between(position, i, quarry[i], walls) == 0
+    return bool(near.any())
 
 
 @compiled

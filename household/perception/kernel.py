@@ -45,33 +45,59 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
     """
     n = position.shape[0]
     count, columns = np.zeros((n, n), np.int64), np.ascontiguousarray(segments.T)
+    sides = _sides(position, columns)
     for i in range(n):
         for j in range(i + 1, n):
-            count[i, j] = count[j, i] = _between(position, i, j, columns)
+            found = _between(position, i, j, columns, sides[i], sides[j])
+            count[i, j] = count[j, i] = found
     return count
 
 
 @compiled
-def _between(position: Array, i: int, j: int, columns: Array) -> int:
+def between(position: Array, i: int, j: int, columns: Array) -> int:
     """How many segments stand between two entities, as `crosses` has it.
 
-    Without a branch, and with each coordinate of all segments in a row of its own,
-    shape (4, m), the processor looks at several segments at once.
+    Args:
+        position: Shape (n, 2) [m].
+        i: Index of one of them.
+        j: Index of the other.
+        columns: The segments, shape (4, m), columns of x1, y1, x2, y2 [m].
+    """
+    sides = _sides(position, columns)
+    return _between(position, i, j, columns, sides[i], sides[j])
+
+
+@compiled
+def _sides(position: Array, columns: Array) -> Array:
+    """On which side of each segment each entity is, by the sign, shape (n, m)."""
+    x1, y1, x2, y2 = columns[0], columns[1], columns[2], columns[3]
+    sides = np.empty((len(position), columns.shape[1]))
+    for i in range(len(position)):
+        x, y = position[i]
+        for k in range(columns.shape[1]):
+            ex, ey = x2[k] - x1[k], y2[k] - y1[k]
+            sides[i, k] = ex * (y - y1[k]) - ey * (x - x1[k])
+    return sides
+
+
+@compiled
+def _between(
+    position: Array, i: int, j: int, columns: Array, side_i: Array, side_j: Array
+) -> int:
+    """How many segments stand between two entities that are on these sides of them.
+
+    Without a branch, with each coordinate of all segments in a row of its own, and with
+    a small number to count in, the processor looks at many segments at once.
     """
     ax, ay = position[i, 0], position[i, 1]
-    bx, by = position[j, 0], position[j, 1]
-    dx, dy = bx - ax, by - ay
-    x1, y1, x2, y2 = columns[0], columns[1], columns[2], columns[3]
-    count = 0
+    dx, dy = position[j, 0] - ax, position[j, 1] - ay
+    count = np.int32(0)
     for k in range(columns.shape[1]):
-        side1 = dx * (y1[k] - ay) - dy * (x1[k] - ax)
-        side2 = dx * (y2[k] - ay) - dy * (x2[k] - ax)
-        ex, ey = x2[k] - x1[k], y2[k] - y1[k]
-        side3 = ex * (ay - y1[k]) - ey * (ax - x1[k])
-        side4 = ex * (by - y1[k]) - ey * (bx - x1[k])
-        across = (side1 * side2 <= 0.0) & (side3 * side4 <= 0.0) & (side1 != side2)
-        count += 1 if across else 0
-    return count
+        side1 = dx * (columns[1, k] - ay) - dy * (columns[0, k] - ax)
+        side2 = dx * (columns[3, k] - ay) - dy * (columns[2, k] - ax)
+        apart = (side1 * side2 <= 0.0) & (side1 != side2)
+        count += np.int32(apart & (side_i[k] * side_j[k] <= 0.0))
+    return int(count)
 
 
 @compiled
@@ -105,14 +131,15 @@ def separate(
         moved[i] = not (
             before[i, 0] == position[i, 0] and before[i, 1] == position[i, 1]
         )
+    of_walls, of_tall = _sides(position, walls), _sides(position, tall)
     for i in range(n):
         for j in range(i + 1, n):
             if moved[i] or moved[j]:
-                between = _between(position, i, j, walls)
-                loss[i, j] = loss[j, i] = _loss(position, i, j, between * wall_loss)
-                if between == 0:
-                    between = _between(position, i, j, tall)
-                hidden[i, j] = hidden[j, i] = between
+                found = _between(position, i, j, walls, of_walls[i], of_walls[j])
+                loss[i, j] = loss[j, i] = _loss(position, i, j, found * wall_loss)
+                if found == 0:
+                    found = _between(position, i, j, tall, of_tall[i], of_tall[j])
+                hidden[i, j] = hidden[j, i] = found
     before[:] = position
 
 

@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
-from household.records import Point
 from household.scenario import PerceptionModel
 
 Array = NDArray[np.float64]
@@ -20,6 +19,7 @@ class Senses:
     The arrays are the same from moment to moment, with new values in them.
 
     Attributes:
+        walls: And closed doors, shape (4, m), columns of x1, y1, x2, y2 [m].
         sees: ``sees[i, j]``: i sees j, shape (n, n).
         facing: Cosine of the angle between the gaze of i and the direction to j,
             shape (n, n).
@@ -34,7 +34,7 @@ class Senses:
     def __init__(self, plan: FloorPlan, model: PerceptionModel, n: int) -> None:
         # Walls are opaque too: what hides is counted as walls and as tall furniture.
         opaque, walls = plan.opaque_segments, len(plan.wall_segments)
-        self._solid = opaque[:walls]
+        self.walls = np.ascontiguousarray(opaque[:walls].T)
         self._position = np.zeros((n, 2))
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
@@ -45,7 +45,7 @@ class Senses:
         self.level = np.zeros((n, n))
         self._perceive = partial(
             kernel.perceive,
-            np.ascontiguousarray(opaque[:walls].T),
+            self.walls,
             np.ascontiguousarray(opaque[walls:].T),
             model.wall_loss,
             np.deg2rad(model.focus),
@@ -91,12 +91,3 @@ class Senses:
             now: [s].
         """
         self._perceive(position, gaze, half_view, salience, absorption, source, now)
-
-    def nothing_between(self, one: Point, other: Point) -> bool:
-        """Whether no wall or closed door stands between two points.
-
-        Args:
-            one: [m].
-            other: [m].
-        """
-        return bool(kernel.crossings(np.array([one, other]), self._solid)[0, 1] == 0)

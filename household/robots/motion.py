@@ -74,7 +74,7 @@ def wander(mover: Mover, crowd: Crowd) -> None:
 
 def follow(mover: Mover, crowd: Crowd) -> None:
     """Keeps close to the nearest person."""
-    person = _nearest_person(mover, crowd)
+    person = _nearest(crowd.position, mover.body, mover.n_people)
     goal = crowd.where[person]
     if math.dist(goal, crowd.where[mover.body]) <= COMPANY:
         crowd.halt(mover.body)
@@ -99,10 +99,15 @@ def fetch(mover: Mover, crowd: Crowd) -> None:
         follow(mover, crowd)
 
 
-def _nearest_person(mover: Mover, crowd: Crowd) -> int:
-    here = crowd.where[mover.body]
-    away = [math.dist(person, here) for person in crowd.where[: mover.n_people]]
-    return away.index(min(away))
+@compiled
+def _nearest(position: Floats, body: int, n_people: int) -> int:
+    """Index of the person that is nearest to a body."""
+    nearest, least = 0, np.inf
+    for i in range(n_people):
+        dx, dy = position[i, 0] - position[body, 0], position[i, 1] - position[body, 1]
+        if dx * dx + dy * dy < least:
+            nearest, least = i, dx * dx + dy * dy
+    return nearest
 
 
 @compiled
