@@ -116,7 +116,7 @@ def snapshot(home: "Household") -> Snapshot:
 def present(life: "Life") -> Present:
     """The arrays of this moment, without rewards, in the order of a snapshot.
 
-    Not copied, as a recording writes them down at every step: later steps change them.
+    Not copied: they are always the same arrays, with new values after every step.
     ``half_view`` is there for robots, too.
     """
     crowd, senses, people, robots = life.crowd, life.senses, life.people, life.robots

@@ -27,6 +27,7 @@ class SituationReader:
     def __init__(self, scenario: Scenario) -> None:
         self._people, robots = scenario.person_names, scenario.robot_names
         self._attention = scenario.situation.attention
+        self._by_name = sorted((name, i) for i, name in enumerate(self._people))
         # The relations that there can be, in the order of the bytes of `_looks`: for
         # each robot, or once for all of them where they see the same.
         everybody = (*self._people, *robots)
@@ -73,5 +74,5 @@ class SituationReader:
 
     def _make_plays(self, activity: bytes) -> tuple[tuple[str, str], ...]:
         """Who plays which role, as situations have it."""
-        roles = [ACTIVITY_NAMES[role] for role in np.frombuffer(activity, np.int_)]
-        return Situation.of(dict(zip(self._people, roles, strict=True))).plays
+        roles = np.frombuffer(activity, np.int_).tolist()
+        return tuple([(name, ACTIVITY_NAMES[roles[i]]) for name, i in self._by_name])

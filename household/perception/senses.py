@@ -66,7 +66,9 @@ class Senses:
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
         self._position[:] = np.nan  # Everybody has moved.
-        self.attends[:] = False
+        self.sees[:] = self.attends[:] = False
+        self.attention[:] = self.level[:] = 0.0
+        self.attention_began[:] = np.nan
 
     def perceive(  # noqa: PLR0913 - one array for each thing that is perceived
         self,

@@ -60,7 +60,7 @@ class Recorder:
     ) -> None:
         scenario = home.scenario
         self._home, self._scenario = home, scenario
-        self._buffer = Buffer(scenario, flush_every)
+        self._buffer = Buffer(scenario, home.life, flush_every)
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
         self._situations = Situations(scenario)
@@ -86,10 +86,10 @@ class Recorder:
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""
-        life, buffer = self._home.life, self._buffer
-        buffer.put(life)
-        if life.robots.touched:
-            self._events.feel(touches(life.robots))
+        buffer, robots = self._buffer, self._home.life.robots
+        buffer.put()
+        if robots.touched:
+            self._events.feel(touches(robots))
         if buffer.full or (self._watch and self._is_due()):
             self.flush()
 

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, fields
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -60,14 +61,15 @@ class Buffer:
     call writes it, which at every step of a recording counts.
 
     Args:
-        scenario: Whose moments.
+        scenario: Who lives where.
+        life: Whose moments.
         capacity: How many; fewer, if they would need more than `MOST_BYTES`.
 
     Attributes:
         decision: The last moment's; -1 before the first.
     """
 
-    def __init__(self, scenario: Scenario, capacity: int) -> None:
+    def __init__(self, scenario: Scenario, life: "Life", capacity: int) -> None:
         self._layout, self._period = layout(scenario), scenario.decision_period
         shapes = self._layout.values()
         bytes_each = sum(8 * math.prod(shape) for shape, _ in shapes)
@@ -78,7 +80,15 @@ class Buffer:
         self._marks = np.zeros((self._capacity, self._width(np.bool_)), np.bool_)
         self._n_people = len(scenario.people)
         self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
-        self._filled = 0
+        self._life, self._filled = life, 0
+        self._write = partial(
+            _write,
+            self._numbers,
+            self._indices,
+            self._marks,
+            self._spots,
+            *present(life),
+        )
         self.decision = -1
 
     def _width(self, kind: type) -> int:
@@ -90,21 +100,13 @@ class Buffer:
         """Whether there is no room for another moment."""
         return self._filled == self._capacity
 
-    def put(self, life: "Life") -> None:
+    def put(self) -> None:
         """Adds this moment; its touches are kept elsewhere."""
-        row, self.decision = self._filled, life.decision
-        _write(
-            row,
-            self.decision,
-            self._numbers,
-            self._indices,
-            self._marks,
-            self._spots,
-            *present(life),
-        )
+        row, life = self._filled, self._life
+        self._filled, self.decision = row + 1, life.decision
+        self._write(row, self.decision)
         if life.robots.touched:
             self._numbers[row, -self._spots.shape[1] :] = rewards(life.robots)
-        self._filled = row + 1
 
     def spot(self, robot: int, decision: int) -> tuple[float, float]:
         """Where a robot was; where it is now, if that is forgotten.
@@ -138,8 +140,6 @@ class Buffer:
 
 @compiled
 def _write(
-    row: int,
-    decision: int,
     numbers: Array,
     indices: Indices,
     marks: Mask,
@@ -154,6 +154,8 @@ def _write(
     mood: Array,
     behavior: Indices,
     begun: Indices,
+    row: int,
+    decision: int,
 ) -> None:
     """Writes a moment without touches, in the order of `layout`."""
     n, n_people = len(heading), len(mood)
