@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+Shares = NDArray[np.float32]
 Present = tuple[
     Array, Array, Array, Array, Indices, Mask, Array, Array, Indices, Indices
 ]
@@ -55,7 +56,7 @@ class Snapshot(NamedTuple):
             negative with the eyes closed.
         activity: Each person's role, as `Activity` values, shape (n_people,).
         attends: Who attends to whom, shape (n, n).
-        attention: How much, shape (n, n).
+        attention: How much, in single precision: it fills most of a recording, (n, n).
         mood: Each person's private mood, shape (n_people,), in [-1, 1].
         behavior: What each robot does, -1 before its first choice, shape (n_robots,).
         begun: The step at which each robot began it, shape (n_robots,).
@@ -71,7 +72,7 @@ class Snapshot(NamedTuple):
     half_view: Array
     activity: Indices
     attends: Mask
-    attention: Array
+    attention: Shares
     mood: Array
     behavior: Indices
     begun: Indices
@@ -90,7 +91,7 @@ def layout(scenario: Scenario) -> dict[str, tuple[tuple[int, ...], type]]:
         "half_view": ((people,), np.float64),
         "activity": ((people,), np.int64),
         "attends": ((n, n), np.bool_),
-        "attention": ((n, n), np.float64),
+        "attention": ((n, n), np.float32),
         "mood": ((people,), np.float64),
         "behavior": ((robots,), np.int64),
         "begun": ((robots,), np.int64),
@@ -101,15 +102,15 @@ def layout(scenario: Scenario) -> dict[str, tuple[tuple[int, ...], type]]:
 def snapshot(home: "Household") -> Snapshot:
     """Takes a snapshot; later steps do not change it."""
     robots = home.life.robots
-    names = layout(home.scenario)
     reward = rewards(robots) if robots.touched else np.zeros(len(robots.names))
-    arrays: dict[str, NDArray[Any]] = dict(
-        zip(names, (*present(home.life), reward), strict=True)
-    )
-    arrays["half_view"] = arrays["half_view"][: len(home.scenario.people)]
-    copies = {name: array.copy() for name, array in arrays.items()}
+    arrays: dict[str, NDArray[Any]] = {
+        name: array[: shape[0]].astype(kind)
+        for (name, (shape, kind)), array in zip(
+            layout(home.scenario).items(), (*present(home.life), reward), strict=True
+        )
+    }
     return Snapshot(
-        decision=home.decision, time=home.time, touches=touches(robots), **copies
+        decision=home.decision, time=home.time, touches=touches(robots), **arrays
     )
 
 

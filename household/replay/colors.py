@@ -61,7 +61,7 @@ HEAT = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43.0]])
 
 
 @compiled
-def heat(values: NDArray[np.float64]) -> Bytes:
+def heat(values: NDArray[np.float32]) -> Bytes:
     """Shares in [0, 1] as colors; those between two stops are in proportion.
 
     Args:

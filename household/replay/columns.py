@@ -89,6 +89,8 @@ def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
     flat = np.ascontiguousarray(values).reshape(len(values), -1)
     if flat.dtype == np.bool_:
         flat = flat.view(np.uint8)
+    elif flat.dtype == np.int64:
+        flat = flat.astype(np.int32)  # Half as much to write; none is that large.
     rows = pa.FixedSizeListArray.from_arrays(pa.array(flat.reshape(-1)), flat.shape[1])
     return _column(_state(name), rows, 1)
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+Shares = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ class Rows:
     half_view: Array
     activity: Indices
     attends: Mask
-    attention: Array
+    attention: Shares
     mood: Array
     behavior: Indices
     begun: Indices
@@ -78,6 +79,7 @@ class Buffer:
         indices = self._capacity, 1 + self._width(np.int64)
         self._indices = np.zeros(indices, dtype=np.int64)
         self._marks = np.zeros((self._capacity, self._width(np.bool_)), np.bool_)
+        self._shares = np.zeros((self._capacity, self._width(np.float32)), np.float32)
         self._n_people = len(scenario.people)
         self._spots = np.zeros((REMEMBERED, len(scenario.robots), 2))
         self._life, self._filled = life, 0
@@ -86,6 +88,7 @@ class Buffer:
             self._numbers,
             self._indices,
             self._marks,
+            self._shares,
             self._spots,
             *present(life),
         )
@@ -126,6 +129,7 @@ class Buffer:
             np.float64: self._numbers[:count],
             np.int64: self._indices[:count, 1:],
             np.bool_: self._marks[:count],
+            np.float32: self._shares[:count],
         }
         ends = dict.fromkeys(blocks, 0)
         columns: dict[str, NDArray[Any]] = {}
@@ -143,6 +147,7 @@ def _write(
     numbers: Array,
     indices: Indices,
     marks: Mask,
+    shares: Shares,
     spots: Array,
     position: Array,
     heading: Array,
@@ -164,11 +169,10 @@ def _write(
     for i in range(n):
         here[2 * i], here[2 * i + 1] = position[i, 0], position[i, 1]
         here[2 * n + i], here[3 * n + i] = heading[i], gaze[i]
-        at = 4 * n + n_people + i * n
         for j in range(n):
-            here[at + j] = attention[i, j]
+            shares[row, i * n + j] = attention[i, j]
             marked[i * n + j] = attends[i, j]
-    at = 4 * n + n_people + n * n
+    at = 4 * n + n_people
     for i in range(n_people):
         here[4 * n + i] = half_view[i]
         here[at + i] = mood[i]
