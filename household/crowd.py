@@ -5,6 +5,7 @@ along them and turns heads; it knows nothing of why anyone goes anywhere.
 """
 
 import math
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -26,7 +27,7 @@ from household.locomotion import (
 )
 from household.records import Point
 from household.walking import walk_freely
-from household.ways import Ways, set_out
+from household.ways import Ways, all_set_out, set_out
 from household.world import World
 
 if TYPE_CHECKING:
@@ -93,8 +94,10 @@ class Crowd:
         self.walking = np.zeros(n, np.bool_)
         self.walk_began = np.full(n, np.nan)
         # What the loops work on is always the same.
+        self._lost = np.zeros(n, np.bool_)
         bodies = self.position, self.walking
         progress = self._nearest, self._stalled
+        walks = *bodies, *progress, self._settled, self.walk_began
         self._steer = partial(
             steer, *bodies, speed, radius, steering_period, self.heading, world.velocity
         )
@@ -114,20 +117,13 @@ class Crowd:
             self._ticks,
             self._tick,
         )
-        self._set_out = partial(
-            set_out,
-            *self._routes.arrays,
-            self.position,
-            self.walking,
-            self._nearest,
-            self._stalled,
-            self._settled,
-            self.walk_began,
+        self._set_out = partial(set_out, *self._routes.arrays, *walks)
+        self._all_set_out = partial(
+            all_set_out, *self._routes.arrays, *walks, self._lost
         )
         self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
         self._arrived = partial(arrived, *bodies, self._settled)
         self._is_bound_for = partial(is_bound_for, *bodies, self._settled)
-        self._lost = np.zeros(n, np.bool_)
         self._astray = partial(astray, *bodies, self._settled, self._lost)
 
     def place(self, position: Array, heading: Array) -> None:
@@ -180,17 +176,6 @@ class Crowd:
         """
         self._arrived(goals, there)
 
-    def astray(self, goals: Array, quarry: Indices = NO_QUARRY) -> list[int]:
-        """Who is not bound for its goal, or for whom it is after; see `is_bound_for`.
-
-        Args:
-            goals: One for each of the first bodies, shape (m, 2) [m].
-            quarry: Whom some of them are after instead, `NOBODY` for none, shape (k,).
-        """
-        if not self._astray(self._ways.points, self._ways.count, goals, quarry):
-            return []
-        return np.flatnonzero(self._lost[: len(goals)]).tolist()
-
     def send(self, i: int, goal: Point, now: float) -> bool:
         """Sends a body on a walk.
 
@@ -208,6 +193,27 @@ class Crowd:
             ways.make_room(found)
             return self.send(i, goal, now)
         return found > 0
+
+    def send_astray(
+        self, goals: Array, quarry: Indices, now: float, but: Sequence[int] = ()
+    ) -> None:
+        """Sends everybody on a walk who is not bound for where it wants to be.
+
+        Args:
+            goals: One for each of the first bodies, shape (m, 2) [m].
+            quarry: Whom each is after instead, `NOBODY` for none, shape (m,).
+            now: [s].
+            but: Who stays as it is.
+        """
+        ways = self._ways
+        if not self._astray(ways.points, ways.count, goals, quarry):
+            return
+        for i in but:
+            self._lost[i] = False
+        most = self._all_set_out(ways.points, ways.at, ways.count, goals, quarry, now)
+        if most > ways.points.shape[1]:
+            ways.make_room(most)
+            self.send_astray(goals, quarry, now, but)
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""

@@ -198,16 +198,14 @@ def astray(
         points: From `Ways`, shape (n, most, 2) [m].
         count: From `Ways`, shape (n,).
         goals: One for each of the first m bodies, shape (m, 2) [m].
-        quarry: Whom some of them are after instead, `NOBODY` for none, shape (k,).
+        quarry: Whom each is after instead, `NOBODY` for none, shape (m,).
 
     Returns:
         Whether anybody is.
     """
     anybody = False
     for i in range(len(goals)):
-        x, y = goals[i]
-        if i < len(quarry) and quarry[i] != NOBODY:
-            x, y = position[quarry[i]]
+        x, y = goals[i] if quarry[i] == NOBODY else position[quarry[i]]
         lost[i] = not is_bound_for(position, walking, settled, points, count, i, x, y)
         anybody |= lost[i]
     return anybody

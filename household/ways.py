@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.arrays import Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
 from household.home.grid import Cells, Grid
 from household.home.shortest import Turns
@@ -122,3 +122,84 @@ def set_out(
         at[i], count[i] = 0, found
         nearest[i], stalled[i], settled[i] = np.inf, 0.0, np.nan
     return found
+
+
+@compiled
+def all_set_out(
+    free: Grid,
+    parts: Cells,
+    corner: Floats,
+    scratch: Cells,
+    kept_at: Cells,
+    kept: Turns,
+    n_kept: Indices,
+    position: Floats,
+    walking: Mask,
+    nearest: Floats,
+    stalled: Floats,
+    settled: Floats,
+    walk_began: Floats,
+    lost: Mask,
+    points: Floats,
+    at: Indices,
+    count: Indices,
+    goals: Floats,
+    quarry: Indices,
+    now: float,
+) -> int:
+    """Sends everybody on a walk who is lost; see `set_out` for most of the arguments.
+
+    Args:
+        free: As in `set_out`, like all that follow up to ``walk_began``.
+        parts: Shape (width, height).
+        corner: Shape (2,) [m].
+        scratch: Shape (7, n_cells).
+        kept_at: Shape (n_cells,).
+        kept: Shape (n_goals, n_cells).
+        n_kept: Shape (1,).
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        nearest: Shape (n,) [m].
+        stalled: Shape (n,) [s].
+        settled: Shape (n, 2) [m].
+        walk_began: Shape (n,) [s].
+        lost: Who is to set out, shape (n,); in the end, who has not for lack of room.
+        points: As in `set_out`, like the two that follow.
+        at: Shape (n,).
+        count: Shape (n,).
+        goals: One for each of the first m bodies, shape (m, 2) [m].
+        quarry: Whom each is after instead, `NOBODY` for none, shape (m,).
+        now: [s].
+
+    Returns:
+        How many waypoints the longest way has.
+    """
+    most = 0
+    for i in range(len(goals)):
+        if lost[i]:
+            x, y = goals[i] if quarry[i] == NOBODY else position[quarry[i]]
+            found = set_out(
+                free,
+                parts,
+                corner,
+                scratch,
+                kept_at,
+                kept,
+                n_kept,
+                position,
+                walking,
+                nearest,
+                stalled,
+                settled,
+                walk_began,
+                points,
+                at,
+                count,
+                i,
+                x,
+                y,
+                now,
+            )
+            lost[i] = found > points.shape[1]
+            most = max(most, found)
+    return most

@@ -24,7 +24,6 @@ from household.people.places import NOWHERE, Places, place_of
 from household.people.traits import Traits, traits_of
 from household.perception.kernel import between
 from household.perception.senses import Senses
-from household.records import Point
 from household.robots.robots import Robots
 from household.scenario import Scenario
 
@@ -160,9 +159,7 @@ class People:
         changed = [] if wishes is before else self._take_up(wishes, before)
         self.touched[:] = False
         at_hand = self._at_hand(crowd, senses)
-        for i in crowd.astray(self._spots, self.quarry):
-            if i not in at_hand:
-                crowd.send(i, self._goal(i, crowd), now)
+        crowd.send_astray(self._spots, self.quarry, now, but=at_hand)
         for i in changed:
             if i not in at_hand and crowd.walks(i):
                 # Who was on its way elsewhere is so no longer.
@@ -238,13 +235,6 @@ class People:
             crowd.position, self.quarry, senses.walls, self._near
         )
         return np.flatnonzero(self._near).tolist() if anybody else []
-
-    def _goal(self, i: int, crowd: Crowd) -> Point:
-        """Where a person wants to be [m]."""
-        if i in self._wishes:
-            return crowd.where[self.quarry[i]]
-        x, y = self._spots[i].tolist()
-        return x, y
 
 
 @compiled

@@ -63,8 +63,10 @@ def between(position: Array, i: int, j: int, columns: Array) -> int:
         j: Index of the other.
         columns: The segments, shape (4, m), columns of x1, y1, x2, y2 [m].
     """
-    sides = _sides(position, columns)
-    return _between(position, i, j, columns, sides[i], sides[j])
+    ends = np.empty((2, 2))
+    ends[0], ends[1] = position[i], position[j]
+    sides = _sides(ends, columns)
+    return _between(ends, 0, 1, columns, sides[0], sides[1])
 
 
 @compiled
@@ -145,8 +147,13 @@ def separate(
 
 @compiled
 def sight(
-    position: Array, gaze: Array, half_view: Array, hidden: NDArray[np.int64]
-) -> tuple[Mask, Array]:
+    position: Array,
+    gaze: Array,
+    half_view: Array,
+    hidden: NDArray[np.int64],
+    sees: Mask,
+    facing: Array,
+) -> None:
     """Who sees whom.
 
     Args:
@@ -154,27 +161,21 @@ def sight(
         gaze: Where the head points, shape (n,) [rad].
         half_view: Half the field of view, shape (n,) [rad]; negative: eyes closed.
         hidden: Opaque segments between each two entities, shape (n, n).
-
-    Returns:
-        sees: ``sees[i, j]``: j is in the field of view of i and nothing opaque is
-            between them; shape (n, n), False on the diagonal.
-        facing: Cosine of the angle between the gaze of i and the direction to j,
-            shape (n, n).
+        sees: Set to ``sees[i, j]``: j is in the field of view of i and nothing opaque
+            is between them; shape (n, n), False on the diagonal.
+        facing: Set to the cosine of the angle between the gaze of i and the direction
+            to j, shape (n, n).
     """
     n = position.shape[0]
-    sees = np.zeros((n, n), np.bool_)
-    facing = np.ones((n, n))
     for i in range(n):
         ahead_x, ahead_y = np.cos(gaze[i]), np.sin(gaze[i])
         least = np.cos(half_view[i]) if half_view[i] >= 0.0 else np.inf
         for j in range(n):
             dx, dy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
             away = np.sqrt(dx * dx + dy * dy)
-            if away > 0.0:
-                cosine = (dx * ahead_x + dy * ahead_y) / away
-                facing[i, j] = min(max(cosine, -1.0), 1.0)
+            cosine = (dx * ahead_x + dy * ahead_y) / away if away > 0.0 else 1.0
+            facing[i, j] = min(max(cosine, -1.0), 1.0)
             sees[i, j] = i != j and facing[i, j] >= least and hidden[i, j] == 0
-    return sees, facing
 
 
 @compiled
@@ -186,7 +187,8 @@ def attention(
     absorption: Array,
     width: float,
     distance: float,
-) -> Array:
+    share: Array,
+) -> None:
     """The attention matrix: how much of its attention each entity gives to each.
 
     For observer i and entity j, with mass over distance squared after Maisonnasse
@@ -203,15 +205,13 @@ def attention(
         absorption: a_i0, what the own activity holds back, shape (n,), above 0.
         width: Of the gaze's focus [rad].
         distance: d0, at which an entity counts half [m].
-
-    Returns:
-        A, shape (n, n); rows sum to less than 1.
+        share: Set to A, shape (n, n); rows sum to less than 1.
     """
     n = position.shape[0]
-    share = np.zeros((n, n))
     for i in range(n):
         total = absorption[i]
         for j in range(n):
+            share[i, j] = 0.0
             if sees[i, j]:
                 dx = position[j, 0] - position[i, 0]
                 dy = position[j, 1] - position[i, 1]
@@ -222,7 +222,6 @@ def attention(
                 total += share[i, j]
         for j in range(n):
             share[i, j] /= total
-    return share
 
 
 @compiled
@@ -259,29 +258,42 @@ def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
 
 @compiled
 def attend(
-    share: Array, attends: Mask, began: Array, above: float, below: float, now: float
-) -> tuple[Mask, Array]:
+    share: Array, above: float, below: float, now: float, attends: Mask, began: Array
+) -> None:
     """Who attends to whom: it begins above one threshold and ends below a lower one.
 
     Args:
         share: The attention matrix, shape (n, n).
-        attends: Who attended to whom before, shape (n, n).
-        began: Since when [s], NaN where not, shape (n, n).
         above: Share of attention from which attending begins.
         below: Share from which it goes on.
         now: [s].
-
-    Returns:
-        The new ``attends`` and ``began``.
+        attends: Who attends to whom, shape (n, n); brought up to date in place.
+        began: Since when [s], NaN where not, shape (n, n); likewise.
     """
     n = share.shape[0]
-    attends_now, began_now = np.zeros((n, n), np.bool_), np.full((n, n), np.nan)
     for i in range(n):
         for j in range(n):
-            if share[i, j] >= (below if attends[i, j] else above):
-                attends_now[i, j] = True
-                began_now[i, j] = began[i, j] if attends[i, j] else now
-    return attends_now, began_now
+            goes_on = attends[i, j]
+            attends[i, j] = share[i, j] >= (below if goes_on else above)
+            if not attends[i, j]:
+                began[i, j] = np.nan
+            elif not goes_on:
+                began[i, j] = now
+
+
+@compiled
+def hear(source: Array, loss: Array, level: Array) -> None:
+    """How loud everybody hears each, at least 0.
+
+    Args:
+        source: Sound level of each at 1 m, shape (n,) [dB].
+        loss: From `separate`, shape (n, n) [dB].
+        level: Filled in, shape (n, n) [dB].
+    """
+    n = len(source)
+    for i in range(n):
+        for j in range(n):
+            level[i, j] = max(source[j] - loss[i, j], 0.0)
 
 
 @compiled
@@ -315,7 +327,7 @@ def perceive(
     From ``before`` to ``began`` all is brought up to date in place.
     """
     separate(before, position, walls, tall, wall_loss, hidden, loss)
-    sees[:], facing[:] = sight(position, gaze, half_view, hidden)
-    share[:] = attention(position, sees, facing, salience, absorption, focus, distance)
-    attends[:], began[:] = attend(share, attends, began, above, below, now)
-    level[:] = np.maximum(source - loss, 0.0)
+    sight(position, gaze, half_view, hidden, sees, facing)
+    attention(position, sees, facing, salience, absorption, focus, distance, share)
+    attend(share, above, below, now, attends, began)
+    hear(source, loss, level)

@@ -169,12 +169,12 @@ def test_attention_is_a_limited_resource(sensing):
 def test_rows_of_the_attention_matrix_sum_below_one(entities):
     table = np.array(entities)
     position = np.ascontiguousarray(table[:, :2])
-    hidden = np.zeros((len(table), len(table)), dtype=np.int64)
-    half_view = np.full(len(table), math.pi)
-    sees, facing = kernel.sight(position, table[:, 2].copy(), half_view, hidden)
-    share = kernel.attention(
-        position, sees, facing, table[:, 3].copy(), table[:, 4].copy(), 0.5, 3.0
-    )
+    n = len(table)
+    hidden, half_view = np.zeros((n, n), dtype=np.int64), np.full(n, math.pi)
+    sees, facing, share = np.empty((n, n), bool), np.empty((n, n)), np.empty((n, n))
+    gaze, salience, absorption = table.T[2:].copy()
+    kernel.sight(position, gaze, half_view, hidden, sees, facing)
+    kernel.attention(position, sees, facing, salience, absorption, 0.5, 3.0, share)
     assert (share >= 0.0).all()
     assert (share.sum(axis=1) < 1.0).all()
     assert (share.diagonal() == 0.0).all()

@@ -403,20 +403,48 @@ def test_who_stands_in_the_way_is_walked_round(room, crowd_in):
     assert math.dist(crowd.position[1], (4.0, 2.5)) < 0.5
 
 
-def test_all_are_asked_at_once_for_where_they_are_bound(room, crowd_in):
+def bound(crowd, goals):
+    return [crowd.is_bound_for(i, goal) for i, goal in enumerate(goals)]
+
+
+def test_all_are_asked_at_once_who_has_arrived(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5), (6.0, 1.0), (7.0, 4.0)])
     assert crowd.send(1, (4.0, 4.0), 0.0)
     standing, walking = (1.05, 2.5), (4.0, 4.0)
-    goals = np.array([standing, walking, (6.15, 1.0)])
-    there = np.zeros(3, dtype=bool)
-    assert crowd.astray(goals) == [2]
-    crowd.arrived(goals, there)
+    goals, there = [standing, walking, (6.15, 1.0)], np.zeros(3, dtype=bool)
+    assert bound(crowd, goals) == [True, True, False]
+    crowd.arrived(np.array(goals), there)
     assert there.tolist() == [True, False, False]
-    elsewhere = np.array([walking, (4.0, 2.5), (6.0, 1.0)])
-    assert crowd.astray(elsewhere) == [0, 1]
+    elsewhere = [walking, (4.0, 2.5), (6.0, 1.0)]
+    assert bound(crowd, elsewhere) == [False, False, True]
     # The second is still where it set out from, but no longer there to stay.
-    crowd.arrived(elsewhere, there)
+    crowd.arrived(np.array(elsewhere), there)
     assert there.tolist() == [False, False, True]
+
+
+def test_all_who_are_astray_set_out_but_those_who_are_to_stay(room, crowd_in):
+    crowd = crowd_in(room(), [(1.0, 1.0), (1.0, 4.0), (4.0, 2.5), (7.0, 4.0)])
+    goals = [(6.0, 1.0), (1.0, 4.0), (4.0, 1.0)]
+    nobody = np.full(3, NOBODY)
+    crowd.send_astray(np.array(goals), nobody, 5.0, but=[2])
+    assert crowd.walking.tolist() == [True, False, False, False]
+    assert (crowd.walks_since(0), crowd.walks_since(2)) == (5.0, None)
+    # The second goes after the last body instead of staying in its place.
+    crowd.send_astray(np.array(goals), np.array([NOBODY, 3, NOBODY]), 6.0)
+    assert crowd.walking.tolist() == [True, True, True, False]
+    assert bound(crowd, [(6.0, 1.0), (7.0, 4.0), (4.0, 1.0)]) == [True] * 3
+    assert crowd.walks_since(0) == 5.0
+
+
+def test_ways_with_many_turns_make_room_for_themselves(room, crowd_in):
+    ends = [(0.0, 4.0) if k % 2 else (1.0, 5.0) for k in range(11)]
+    walls = tuple((x, low, x, high) for x, (low, high) in enumerate(ends, start=1))
+    plan = room(size=(12.0, 5.0), walls=walls)
+    crowd = crowd_in(plan, [(0.5, 1.5), (0.5, 2.5), (0.5, 3.5)])
+    goals = [(11.5, 1.5), (11.5, 2.5), (0.5, 4.5)]
+    crowd.send_astray(np.array(goals), np.full(3, NOBODY), 0.0)
+    assert bound(crowd, goals) == [True] * 3
+    assert crowd.walking.all()
 
 
 def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
@@ -428,12 +456,13 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
         crowd.advance()
     assert not crowd.walks(0)
     assert 0.1 < math.dist(crowd.where[0], (4.0, 2.5)) <= 1.0
-    for goal, bound in (((4.0, 2.5), True), ((3.2, 2.5), False)):
-        assert crowd.is_bound_for(0, goal) == bound
+    for goal, is_bound in (((4.0, 2.5), True), ((3.2, 2.5), False)):
+        assert crowd.is_bound_for(0, goal) == is_bound
         there = np.zeros(1, dtype=bool)
         crowd.arrived(np.array([goal]), there)
-        assert there.tolist() == [bound]
-        assert crowd.astray(np.array([goal])) == ([] if bound else [0])
+        assert there.tolist() == [is_bound]
+        crowd.send_astray(np.array([goal]), np.full(1, NOBODY), 100.0)
+        assert crowd.walks(0) != is_bound
 
 
 def test_heads_turn_no_faster_than_they_can_and_the_shorter_way(room, crowd_in):
