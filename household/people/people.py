@@ -234,7 +234,7 @@ class People:
         anybody = self._wishes and _at_hand(
             crowd.position, self.quarry, senses.walls, self._near
         )
-        return np.flatnonzero(self._near).tolist() if anybody else []
+        return self._near.nonzero()[0].tolist() if anybody else []
 
 
 @compiled

@@ -63,10 +63,8 @@ def spin(mover: Mover, crowd: Crowd) -> None:
 def wander(mover: Mover, crowd: Crowd) -> None:
     """Strolls from point to point."""
     if mover.begins or not crowd.walks(mover.body):
-        angle, reach = (
-            mover.rng.uniform(0.0, 2 * math.pi),
-            mover.rng.uniform(0.5, STROLL),
-        )
+        turn, share = mover.rng.random(2).tolist()
+        angle, reach = 2 * math.pi * turn, 0.5 + (STROLL - 0.5) * share
         x, y = crowd.where[mover.body]
         goal = (x + reach * math.cos(angle), y + reach * math.sin(angle))
         crowd.send(mover.body, goal, mover.now)

@@ -56,7 +56,10 @@ class Doings:
         self._left = np.array([doing.lasts for doing in doings])
         self._until = np.array([doing.until for doing in doings])
         self._look_left = np.array([doing.look_lasts for doing in doings])
-        self._pass_time = partial(_pass_time, self._left, self._until, self._look_left)
+        self._over = np.zeros(len(doings), np.bool_)
+        self._pass_time = partial(
+            _pass_time, self._left, self._until, self._look_left, self._over
+        )
 
     def play(self, now: float, period: float, arrived: Mask, wanted: Indices) -> None:
         """Lets time pass; what is not spent in the own place counts by the clock only.
@@ -68,7 +71,7 @@ class Doings:
             wanted: The robot that each is out to touch instead, or `NOBODY`, (n,).
         """
         if self._pass_time(now, period, arrived, wanted):
-            for i in range(len(self._doings)):
+            for i in self._over.nonzero()[0].tolist():
                 self._go_on(i, now)
 
     def _go_on(self, i: int, now: float) -> None:
@@ -89,16 +92,18 @@ def _pass_time(
     left: Floats,
     until: Floats,
     look_left: Floats,
+    over: Mask,
     now: float,
     period: float,
     arrived: Mask,
     wanted: Indices,
 ) -> bool:
-    """Takes time from what is ``left``; returns whether anybody's is over."""
-    over = False
+    """Takes time from what is ``left``; returns whether anybody's is ``over``."""
+    anybody = False
     for i in range(len(left)):
         if arrived[i] and wanted[i] == NOBODY:
             left[i] -= period
             look_left[i] -= period
-        over |= left[i] <= 0.0 or look_left[i] <= 0.0 or now >= until[i]
-    return over
+        over[i] = left[i] <= 0.0 or look_left[i] <= 0.0 or now >= until[i]
+        anybody |= over[i]
+    return anybody

@@ -47,10 +47,11 @@ def _lines(spec: PersonSpec, places: Places, names: tuple[str, ...]) -> list[Lin
 
 def _stops(schedule: Mapping[str, Stay], place: Mapping[str, int]) -> list[Stop]:
     names = list(schedule)
-    weights = np.array([[s.then.get(n, 0.0) for n in names] for s in schedule.values()])
+    weights = [[s.then.get(n, 0.0) for n in names] for s in schedule.values()]
+    ends = np.cumsum(weights, axis=1)
     return [
-        Stop(place[name], stay.duration, row / row.sum())
-        for (name, stay), row in zip(schedule.items(), weights, strict=True)
+        Stop(place[name], stay.duration, (row / row[-1]).tolist())
+        for (name, stay), row in zip(schedule.items(), ends, strict=True)
     ]
 
 

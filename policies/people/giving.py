@@ -59,6 +59,7 @@ class FeedbackGiving:
         self._state["robot"] = NOBODY
         self.wishes: list[Wish | None] = [None] * n
         self.wanted: Indices = self._state["robot"]
+        self._changed: Mask = self._state["changed"]
         fresh = np.ones((n, n_robots))
         self._consider = partial(_consider, self._state, fresh, traits_of(personas))
 
@@ -73,9 +74,8 @@ class FeedbackGiving:
             next(self._draws),
         )
         if anything:
-            changed = np.flatnonzero(self._state["changed"]).tolist()
             self.wishes = self.wishes.copy()
-            for i in changed:
+            for i in self._changed.nonzero()[0].tolist():
                 self.wishes[i] = self._wish(i, percepts)
 
     def _wish(self, i: int, percepts: Percepts) -> Wish | None:

@@ -1,11 +1,11 @@
 """Schedules: what people do by chance, as a semi-Markov chain over places."""
 
+from bisect import bisect
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
 from household.people.mind import OWN_ACTIVITY
 
@@ -17,12 +17,12 @@ class Stop:
     Attributes:
         place: Index of the activity region.
         duration: Shortest and longest time to be there [s].
-        then: Probability of each stop to be the next, shape (n_stops,).
+        then: Probability that the next stop is one up to this, for each stop.
     """
 
     place: int
     duration: tuple[float, float]
-    then: NDArray[np.float64]
+    then: Sequence[float]
 
 
 class Schedule:
@@ -67,4 +67,4 @@ class Schedule:
             now: Time since the episode began [s]; not looked at.
         """
         del now
-        self._begin(int(self._rng.choice(len(self._stops), p=self._stop.then)))
+        self._begin(bisect(self._stop.then, self._rng.random()))

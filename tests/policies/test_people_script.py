@@ -116,9 +116,9 @@ def test_lengths_are_drawn_anew_between_the_shortest_and_the_longest():
 
 def test_a_schedule_stays_and_goes_on_by_its_weights():
     stops = [
-        Stop(5, (2.0, 2.0), np.array([0.0, 0.75, 0.25])),
-        Stop(6, (1.0, 1.0), np.array([1.0, 0.0, 0.0])),
-        Stop(7, (1.0, 1.0), np.array([1.0, 0.0, 0.0])),
+        Stop(5, (2.0, 2.0), (0.0, 0.75, 1.0)),
+        Stop(6, (1.0, 1.0), (1.0, 1.0, 1.0)),
+        Stop(7, (1.0, 1.0), (1.0, 1.0, 1.0)),
     ]
     doings = Doings([Schedule(stops, np.random.default_rng(0))])
     visited, there = [int(doings.place[0])], np.array([True])
@@ -135,8 +135,8 @@ def test_a_schedule_stays_and_goes_on_by_its_weights():
 def test_a_schedule_waits_for_who_is_away():
     schedule = Schedule(
         [
-            Stop(0, (1.0, 1.0), np.array([0.0, 1.0])),
-            Stop(1, (1.0, 1.0), np.array([1.0, 0.0])),
+            Stop(0, (1.0, 1.0), (0.0, 1.0)),
+            Stop(1, (1.0, 1.0), (1.0, 1.0)),
         ],
         np.random.default_rng(0),
     )
