@@ -1,12 +1,36 @@
 """Compiling small loops with Numba, wherever the package is installed."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
 from typing import ParamSpec, TypeVar, cast
 
 from numba import njit
 
 P = ParamSpec("P")
 R = TypeVar("R")
+
+PACKAGES = Path(__file__).parent, Path(__file__).parent.parent / "policies"
+"""Where there are compiled functions, which call each other."""
+
+
+def forget_outdated(packages: Sequence[Path]) -> None:
+    """Forgets what was compiled before the last change of any source.
+
+    Numba compiles a function anew when its own file has changed, but not when one that
+    it calls has: it would silently go on with what that was before.
+    """
+    files = [file for package in packages for file in package.rglob("*.py")]
+    changed = max((file.stat().st_mtime_ns for file in files), default=0)
+    for package in packages:
+        for index in package.rglob("__pycache__/*.nbi"):
+            # Another process may have been faster, or the folder be for reading only.
+            with suppress(OSError):
+                if index.stat().st_mtime_ns < changed:
+                    index.unlink()
+
+
+forget_outdated(PACKAGES)
 
 
 def compiled(function: Callable[P, R]) -> Callable[P, R]:
