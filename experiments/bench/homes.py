@@ -69,9 +69,16 @@ def _spots(home: str | FloorPlan, n: int) -> list[tuple[float, float]]:
     return spots
 
 
+DRAWN = 5000
+"""Steps for which actions are drawn; then they come again."""
+
+
 @dataclass
 class Stepping:
-    """Steps a parallel environment with random actions, one step for each call."""
+    """Steps a parallel environment with random actions, one step for each call.
+
+    Every agent gets another action in every step.
+    """
 
     env: Any
     """A PettingZoo parallel environment, also inside wrappers."""
@@ -82,12 +89,14 @@ class Stepping:
     def __post_init__(self) -> None:
         """Begins an episode."""
         self.env.reset(seed=0)
-        actions = self.env.action_space(self.env.agents[0]).n
-        drawn = self.rng.integers(actions, size=(500, len(self.env.agents)))
+        self._actions = cycle(self._drawn())
+
+    def _drawn(self) -> list[dict[str, int]]:
+        """Returns the actions of each step."""
         agents = self.env.agents
-        self._actions = cycle(
-            dict(zip(agents, row, strict=True)) for row in drawn.tolist()
-        )
+        actions = self.env.action_space(agents[0]).n
+        rows = self.rng.integers(actions, size=(DRAWN, len(agents))).tolist()
+        return [dict(zip(agents, row, strict=True)) for row in rows]
 
     def __call__(self) -> None:
         """Makes a step."""
@@ -96,14 +105,23 @@ class Stepping:
 
 @dataclass
 class PatientStepping(Stepping):
-    """Steps a household in which robots finish what they do, as those who learn do."""
+    """Steps a household in which robots finish what they do, as those who learn do.
 
-    def __post_init__(self) -> None:
-        """Begins an episode."""
-        super().__post_init__()
-        self._is_over = self.env.unwrapped.behavior_over
+    Who goes on with what it does gets no action.
+    """
 
-    def __call__(self) -> None:
-        """Makes a step; whose behavior is over gets another one."""
-        drawn, is_over = next(self._actions), self._is_over
-        self.env.step({agent: drawn[agent] for agent in drawn if is_over(agent)})
+    def _drawn(self) -> list[dict[str, int]]:
+        """Returns the actions of each step, from how long every behavior takes."""
+        scenario = self.env.unwrapped.scenario
+        takes = [
+            math.ceil(b.duration / scenario.decision_period)
+            for b in scenario.repertoire
+        ]
+        steps: list[dict[str, int]] = [{} for _ in range(DRAWN)]
+        for agent in self.env.agents:
+            step = 0
+            while step < DRAWN:
+                behavior = int(self.rng.integers(len(takes)))
+                steps[step][agent] = behavior
+                step += takes[behavior]
+        return steps

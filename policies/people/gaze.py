@@ -1,13 +1,13 @@
-"""Gaze habits: where people look when no script tells them."""
+"""Gaze: where people look, and when their eyes are closed."""
 
 import math
 from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-from household.arrays import Floats, Indices, Mask
+from household.activity import Activity
+from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
 from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percepts
@@ -18,62 +18,122 @@ from household.streams import draws
 DRAWS = 4
 """In each moment: whether the gaze moves on, startles, where to, and for how long."""
 
+SLEEPING = int(Activity.SLEEPING)
+
 MOVING = 0.5
 """How strongly a robot on the move draws the eye that sees it, beside 1 for a loud
 noise close by (our choice)."""
 
 
-class GazeHabits:
+class Gaze:
     """People look at their own activity, at robots and at people, each for a while.
 
     Args:
         personas: Of each person; hold the interests and the dwell times.
         rngs: Each person's own stream.
+
+    Attributes:
+        look: Index of the entity that each looks at, or `OWN_ACTIVITY`, shape (n,).
+        eyes_open: False in sleep, shape (n,).
     """
 
     def __init__(
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
+        n = len(personas)
         self._draws = draws(rngs, DRAWS)
-        self._look = np.full(len(personas), OWN_ACTIVITY, np.intp)
-        left = np.zeros(len(personas))
-        self._look_around = partial(_look_around, self._look, left, traits_of(personas))
+        self.look = np.full(n, OWN_ACTIVITY, np.intp)
+        self.eyes_open = np.ones(n, np.bool_)
+        self._turn = partial(
+            _turn,
+            self.look,
+            self.eyes_open,
+            np.full(n, OWN_ACTIVITY, np.intp),
+            np.zeros(n),
+            np.zeros(n),
+            traits_of(personas),
+        )
 
-    def look(self, percepts: Percepts) -> NDArray[np.intp]:
-        """Index of the entity that each looks at now, or `OWN_ACTIVITY`."""
-        self._look_around(
+    def turn(self, percepts: Percepts, told: Indices, wanted: Indices) -> None:
+        """Turns everybody's gaze.
+
+        Args:
+            percepts: What everybody perceives.
+            told: Where what each does has it look, or `OWN_ACTIVITY`, shape (n,).
+            wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
+        """
+        self._turn(
             next(self._draws),
             percepts.level,
             percepts.sees,
             percepts.moving,
+            percepts.arrived,
+            percepts.activity,
             percepts.period,
+            told,
+            wanted,
         )
-        return self._look
 
 
 @compiled
-def _look_around(
+def _turn(
     look: Indices,
+    eyes_open: Mask,
+    habit: Indices,
     left: Floats,
+    awake: Floats,
     traits: Traits,
     draws: Floats,
     level: Floats,
     sees: Mask,
     moving: Mask,
+    arrived: Mask,
+    activity: Indices,
     period: float,
+    told: Indices,
+    wanted: Indices,
 ) -> None:
-    """Moves everybody's gaze on: ``look``, and how long it has ``left`` there [s]."""
-    for i in range(len(look)):
+    """Where everybody looks, and whether with open eyes.
+
+    A robot that is to be touched comes before what the script tells, and that before
+    habit. Eyes are closed in bed, unless a robot's noise just woke the sleeper.
+
+    Args:
+        look: What it comes to, shape (n,); changed in place, as all up to ``traits``.
+        eyes_open: Shape (n,).
+        habit: Where each looks by habit, shape (n,).
+        left: How long it goes on with that, shape (n,) [s].
+        awake: How long each cannot fall asleep yet, shape (n,) [s].
+        traits: Of each person, shape (n,).
+        draws: Uniform numbers, shape (n, DRAWS).
+        level: As in `Percepts`, like all that follow up to ``period``.
+        sees: Shape (n, n + n_robots).
+        moving: Shape (n_robots,).
+        arrived: Shape (n,).
+        activity: Shape (n,).
+        period: [s].
+        told: Where what each does has it look, or `OWN_ACTIVITY`, shape (n,).
+        wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
+    """
+    n = len(look)
+    for i in range(n):
         left[i] -= period
         moves, startles, where, dwell = draws[i]
         robot, strength = _most_striking(level[i], sees[i], moving)
-        if startles < traits[i]["reflex"] * strength:
-            look[i] = robot
-        elif left[i] <= 0.0:
-            look[i] = _drawn(i, len(look), len(moving), moves, where, traits)
-        else:
+        startled = startles < traits[i]["reflex"] * strength
+        if startled or left[i] <= 0.0:
+            drawn = _drawn(i, n, len(moving), moves, where, traits)
+            habit[i] = robot if startled else drawn
+            left[i] = -math.log(1.0 - dwell) * traits[i]["gaze_dwell"]
+        if wanted[i] != NOBODY:
+            look[i], eyes_open[i] = n + wanted[i], True
             continue
-        left[i] = -math.log(1.0 - dwell) * traits[i]["gaze_dwell"]
+        look[i] = habit[i] if told[i] == OWN_ACTIVITY else told[i]
+        awake[i] -= period
+        if level[i, n:].max() >= traits[i]["wakes_at"]:
+            awake[i] = traits[i]["awake_for"]
+        in_bed = arrived[i] and activity[i] == SLEEPING
+        eyes_open[i] = not (in_bed and awake[i] <= 0.0)
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""Gaze habits: what is heard and how time passes -> whom to look at."""
+"""Gaze: what is heard and how time passes -> whom to look at."""
 
 import itertools
 import math
@@ -6,13 +6,21 @@ import math
 import numpy as np
 import pytest
 
+from household.arrays import NOBODY
 from household.people.mind import OWN_ACTIVITY
 from household.people.persona import Persona
-from policies.people.gaze import GazeHabits
+from policies.people.gaze import Gaze
 
 PEOPLE, ROBOTS = (0, 1), (2, 3)
 QUIET = np.zeros(4)
 LIVES = 4000
+
+
+def turned(gaze, percepts):
+    """Where people look who are told nothing and want nothing."""
+    n = len(gaze.look)
+    gaze.turn(percepts, np.full(n, OWN_ACTIVITY), np.full(n, NOBODY))
+    return gaze.look
 
 
 @pytest.fixture
@@ -23,11 +31,11 @@ def gaze(percepts):
         usual = {"robot_interest": 0.0, "people_interest": 0.0, "reflex": 0.0}
         persona = Persona(name="test", **(usual | traits))
         rngs = [np.random.default_rng((seed, i)) for i in range(n_people)]
-        habits = GazeHabits([persona] * n_people, rngs)
+        habits = Gaze([persona] * n_people, rngs)
 
         def look(levels):
             seen = (percepts(n_people, level=level) for level in levels)
-            return [int(habits.look(each)[myself]) for each in seen]
+            return [int(turned(habits, each)[myself]) for each in seen]
 
         return look
 
@@ -77,8 +85,8 @@ def test_both_robots_are_looked_at_alike(gaze):
 
 def test_who_lives_alone_with_a_robot_has_nobody_else_to_look_at(percepts):
     persona = Persona(name="alone", people_interest=1.0, robot_interest=0.0, reflex=0.0)
-    habits = GazeHabits([persona], [np.random.default_rng(0)])
-    looks = {int(habits.look(percepts(1, 1))[0]) for _ in range(50)}
+    habits = Gaze([persona], [np.random.default_rng(0)])
+    looks = {int(turned(habits, percepts(1, 1))[0]) for _ in range(50)}
     assert looks == {OWN_ACTIVITY}
 
 
@@ -141,8 +149,8 @@ def test_a_moving_robot_draws_the_eye_that_sees_it(percepts):
 
     def looks(**what):
         rngs = [np.random.default_rng(3), np.random.default_rng(4)]
-        habits = GazeHabits([persona] * 2, rngs)
-        return {int(habits.look(percepts(**what))[0]) for _ in range(40)}
+        habits = Gaze([persona] * 2, rngs)
+        return {int(turned(habits, percepts(**what))[0]) for _ in range(40)}
 
     assert looks() == {OWN_ACTIVITY}
     assert looks(moving=moving) == {OWN_ACTIVITY}  # nobody sees them
@@ -159,6 +167,6 @@ def test_people_look_each_in_its_own_way(percepts):
         Persona(name="c", robot_interest=0.0, people_interest=0.0, reflex=0.0),
     ]
     rngs = [np.random.default_rng(i) for i in range(3)]
-    habits = GazeHabits(personas, rngs)
-    looks = np.array([habits.look(percepts(3, 2)).copy() for _ in range(200)])
+    habits = Gaze(personas, rngs)
+    looks = np.array([turned(habits, percepts(3, 2)).copy() for _ in range(200)])
     assert [set(column) for column in looks.T.tolist()] == [{3, 4}, {0, 2}, {-1}]
