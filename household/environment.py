@@ -89,6 +89,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._index = {agent: i for i, agent in enumerate(self.possible_agents)}
         self.life = Life(self.scenario, make_minds)
         self._situations = SituationReader(self.scenario)
+        self._scene, self._read = self.life.scene, ()
         self._features = Features(self.scenario)
         self._encoding = ENCODINGS[observation](self.scenario)
         actions = spaces.Discrete(len(self.behaviors))
@@ -260,9 +261,14 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self._seen()[self._index[agent]]
 
     def _seen(self) -> tuple[Situation, ...]:
-        """The situation as each robot sees it now."""
+        """The situation as each robot sees it now; read anew in another scene."""
         life = self.life
-        return self._situations.seen(life.people.activity, life.senses.attends)
+        if life.scene != self._scene:
+            self._scene = life.scene
+            self._read = self._situations.seen(
+                life.people.activity, life.senses.attends
+            )
+        return self._read
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""

@@ -56,6 +56,7 @@ class Life:
         moods: The people's moods as each robot reads them, (n_robots, n_people).
         view: What robots may know of this moment.
         half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
+        scene: Another number whenever roles or attention are others than before.
         decision: Decisions since the beginning.
         time: Since the beginning [s].
     """
@@ -64,7 +65,7 @@ class Life:
         self._scenario = scenario
         self.people = People(scenario, make_minds)
         self.robots = Robots(scenario)
-        self.decision, self.time = 0, 0.0
+        self.scene, self.decision, self.time = 0, 0, 0.0
         personas = [person.persona for person in self.people.everyone]
         n_people, n_robots = len(personas), len(self.robots.names)
         self._n_people = n_people
@@ -98,6 +99,7 @@ class Life:
             seed: Begins a history of its own; None goes on with the present one.
         """
         self.decision, self.time = 0, 0.0
+        self.scene += 1
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
         self._noise = draws(self._streams.faces, MOST_PEOPLE, "normal")
@@ -191,9 +193,9 @@ class Life:
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self._scenario.decision_period
-        self.people.show(self.crowd.position, self.half_view)
+        changed = self.people.show(self.crowd.position, self.half_view)
         self.robots.show(since, self.time, self._salience, self._source)
-        self.senses.perceive(
+        changed |= self.senses.perceive(
             position=self.crowd.position,
             gaze=self.crowd.gaze,
             half_view=self.half_view,
@@ -202,6 +204,7 @@ class Life:
             source=self._source,
             now=self.time,
         )
+        self.scene += changed
         misread(
             self.people.feelings.mood,
             next(self._noise),

@@ -121,15 +121,18 @@ class People:
             for i, person in enumerate(self.everyone)
         }
 
-    def show(self, position: Floats, half_view: Floats) -> None:
+    def show(self, position: Floats, half_view: Floats) -> bool:
         """Tells how people appear: in which role, and with open eyes or closed.
 
         Args:
             position: Of people and robots, shape (n + n_robots, 2) [m].
             half_view: Half of each one's field of view, (n + n_robots,) [rad]; filled
                 in for people, negative with the eyes closed.
+
+        Returns:
+            Whether anybody plays another role than before.
         """
-        self._show(self.intentions.eyes_open, position, half_view)
+        return self._show(self.intentions.eyes_open, position, half_view)
 
     def judge(self, senses: Senses, robots: Robots) -> None:
         """Everybody appraises the bouts that it did not appraise before.
@@ -269,10 +272,13 @@ def _show(
     eyes_open: Mask,
     position: Floats,
     half_view: Floats,
-) -> None:
+) -> bool:
+    changed = False
     for i in range(len(place)):
         place[i] = place_of(position[i], circles)
         # The last ones are for nowhere, which -1 is the index of.
+        changed |= activity[i] != roles[place[i]]
         activity[i], focus[i] = roles[place[i]], facing[place[i]]
         half = math.radians(traits[i]["field_of_view"] / 2)
         half_view[i] = half if eyes_open[i] else -1.0
+    return changed

@@ -259,7 +259,7 @@ def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
 @compiled
 def attend(
     share: Array, above: float, below: float, now: float, attends: Mask, began: Array
-) -> None:
+) -> bool:
     """Who attends to whom: it begins above one threshold and ends below a lower one.
 
     Args:
@@ -269,16 +269,21 @@ def attend(
         now: [s].
         attends: Who attends to whom, shape (n, n); brought up to date in place.
         began: Since when [s], NaN where not, shape (n, n); likewise.
+
+    Returns:
+        Whether anybody attends to others than before.
     """
-    n = share.shape[0]
+    n, changed = share.shape[0], False
     for i in range(n):
         for j in range(n):
             goes_on = attends[i, j]
             attends[i, j] = share[i, j] >= (below if goes_on else above)
+            changed |= attends[i, j] != goes_on
             if not attends[i, j]:
                 began[i, j] = np.nan
             elif not goes_on:
                 began[i, j] = now
+    return changed
 
 
 @compiled
@@ -321,13 +326,14 @@ def perceive(
     absorption: Array,
     source: Array,
     now: float,
-) -> None:
+) -> bool:
     """All that everybody perceives at a moment; `Senses` says what is what.
 
-    From ``before`` to ``began`` all is brought up to date in place.
+    From ``before`` to ``began`` all is brought up to date in place. Returns whether
+    anybody attends to others than before.
     """
     separate(before, position, walls, tall, wall_loss, hidden, loss)
     sight(position, gaze, half_view, hidden, sees, facing)
     attention(position, sees, facing, salience, absorption, focus, distance, share)
-    attend(share, above, below, now, attends, began)
     hear(source, loss, level)
+    return attend(share, above, below, now, attends, began)

@@ -80,7 +80,7 @@ class Senses:
         absorption: Array,
         source: Array,
         now: float,
-    ) -> None:
+    ) -> bool:
         """Perceives this moment.
 
         Args:
@@ -91,5 +91,10 @@ class Senses:
             absorption: What each one's activity holds back, shape (n,).
             source: Sound level of each at 1 m, shape (n,) [dB].
             now: [s].
+
+        Returns:
+            Whether anybody attends to others than before.
         """
-        self._perceive(position, gaze, half_view, salience, absorption, source, now)
+        return self._perceive(
+            position, gaze, half_view, salience, absorption, source, now
+        )
