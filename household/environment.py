@@ -89,7 +89,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._index = {agent: i for i, agent in enumerate(self.possible_agents)}
         self.life = Life(self.scenario, make_minds)
         self._situations = SituationReader(self.scenario)
-        self._scene, self._read = self.life.scene, ()
+        self._scene = self.life.scene
+        self._read: tuple[Situation, ...] = ()
         self._features = Features(self.scenario)
         self._encoding = ENCODINGS[observation](self.scenario)
         actions = spaces.Discrete(len(self.behaviors))
@@ -262,12 +263,10 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _seen(self) -> tuple[Situation, ...]:
         """The situation as each robot sees it now; read anew in another scene."""
-        life = self.life
-        if life.scene != self._scene:
-            self._scene = life.scene
-            self._read = self._situations.seen(
-                life.people.activity, life.senses.attends
-            )
+        if self.life.scene != self._scene:
+            people, senses = self.life.people, self.life.senses
+            self._read = self._situations.seen(people.activity, senses.attends)
+            self._scene = self.life.scene
         return self._read
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
