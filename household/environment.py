@@ -237,7 +237,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _observations(self) -> dict[str, Observation]:
         rows = self._encoding.encode(self.life.view)
-        return dict(zip(self.agents, rows, strict=True))
+        return {agent: rows[i] for i, agent in enumerate(self.agents)}
 
     def state(self) -> NDArray[np.float32]:
         """What all robots observe together, for centralized critics.

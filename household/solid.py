@@ -27,12 +27,12 @@ WEDGED = 0.005
 
 @compiled
 def keep_out(
-    before: Array,
-    after: Array,
     radius: Array,
     segments: Array,
     thickness: Array,
     boxes: Array,
+    before: Array,
+    after: Array,
 ) -> None:
     """Puts bodies back that sank into something solid.
 
@@ -41,12 +41,12 @@ def keep_out(
     a gap too narrow for it, or through it, goes back, too.
 
     Args:
-        before: Where the bodies were, out of everything solid, shape (n, 2) [m].
-        after: Where the engine moved them, shape (n, 2) [m]; changed in place.
         radius: Shape (n,) [m].
         segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
         thickness: Half thickness of each segment, shape (m,) [m].
         boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
+        before: Where the bodies were, out of everything solid, shape (n, 2) [m].
+        after: Where the engine moved them, shape (n, 2) [m]; changed in place.
     """
     for i in range(len(after)):
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])

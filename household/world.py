@@ -5,6 +5,8 @@ steered by velocities and push each other. (Kinematic bodies would walk through
 walls.) There is no gravity and no friction: the floor is seen from above.
 """
 
+from functools import partial
+
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
@@ -42,12 +44,18 @@ class World:
         self.space = pymunk.Space()
         self.space.collision_slop = SLOP
         self._add_home(plan)
-        self._radius = np.asarray(radius, dtype=np.float64)
         self.solid = plan.solid_segments
         self.boxes = boxes_round(self.solid)
         walls = len(plan.wall_segments)
         self.thickness = np.zeros(len(self.solid))
         self.thickness[:walls] = plan.wall_thickness / 2
+        self._keep_out = partial(
+            keep_out,
+            np.asarray(radius, dtype=np.float64),
+            self.solid,
+            self.thickness,
+            self.boxes,
+        )
         self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
         rows = self._batch_rows()
         # The last row is spare: Pymunk would move an array that becomes full elsewhere.
@@ -110,12 +118,5 @@ class World:
         self._buffer.clear()
         get_space_bodies(self.space, MOTION, self._buffer)
         after = self._place.copy()
-        keep_out(
-            position,
-            after,
-            self._radius,
-            self.solid,
-            self.thickness,
-            self.boxes,
-        )
+        self._keep_out(position, after)
         return after

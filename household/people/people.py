@@ -160,7 +160,7 @@ class People:
         self._claim_places()
         wishes = self.intentions.wishes
         changed = [] if wishes is before else self._take_up(wishes, before)
-        self.touched[:] = False
+        self.touched.fill(False)
         at_hand = self._at_hand(crowd, senses)
         crowd.send_astray(self._spots, self.quarry, now, but=at_hand)
         for i in changed:

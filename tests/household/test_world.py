@@ -120,7 +120,7 @@ def test_who_is_pushed_out_of_a_wall_is_not_pushed_into_a_cupboard(room):
     # As the engine left it once, when a crowd pressed a robot into that corner.
     position = np.array([[8.09, 1.19]])
     keep_out(
-        start, position, np.array([ROBOT]), world.solid, world.thickness, world.boxes
+        np.array([ROBOT]), world.solid, world.thickness, world.boxes, start, position
     )
     np.testing.assert_array_equal(position, start)
 
