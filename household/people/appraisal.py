@@ -5,7 +5,6 @@ enough: its preference times how strongly it perceived the bout.
 """
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -16,8 +15,6 @@ from household.people.mind import Judgements
 from household.people.norms import norm_table
 from household.people.person import Person
 from household.people.traits import Traits, traits_of
-from household.perception.senses import Senses
-from household.robots.robots import Robots
 from household.scenario import Scenario
 
 AUDIBLE = 40.0
@@ -40,6 +37,7 @@ class Appraisals:
     Attributes:
         judgements: What everybody thinks of the bouts that are new to it.
         pleasing: Whether each robot does what pleases each person, (n, n_robots).
+        arrays: What `appraise` is to be given first.
     """
 
     def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
@@ -61,8 +59,7 @@ class Appraisals:
             believed=np.zeros((n, n_robots), np.intp),
             attending=np.zeros((n, n_robots), np.bool_),
         )
-        self._appraise = partial(
-            _appraise,
+        self.arrays = (
             *self.judgements,
             self.pleasing,
             self._judged,
@@ -73,28 +70,6 @@ class Appraisals:
     def forget(self) -> None:
         """Begins a new episode: nobody has judged anything yet."""
         self._judged[:] = -1
-
-    def judge(
-        self, activity: Indices, eyes_open: Mask, senses: Senses, robots: Robots
-    ) -> None:
-        """Everybody appraises the bouts that it did not appraise before.
-
-        Args:
-            activity: The role that each plays, shape (n,).
-            eyes_open: Who is awake, shape (n,).
-            senses: What everybody perceives.
-            robots: What there is to be perceived.
-        """
-        self._appraise(
-            activity,
-            eyes_open,
-            robots.behaviors,
-            robots.begun,
-            senses.attends,
-            senses.attention,
-            senses.sees,
-            senses.level,
-        )
 
     def preferred(
         self, activity: Indices, attends: Mask, *, on_average: bool = False
@@ -137,7 +112,7 @@ def seen_strength(attention: Floats | float) -> Floats:
 
 
 @compiled
-def _appraise(
+def appraise(
     new: Mask,
     value: Floats,
     believed: Indices,

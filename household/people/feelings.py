@@ -2,15 +2,13 @@
 
 import math
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.people.mind import Judgements
 from household.people.persona import Persona
-from household.people.traits import Traits, traits_of
+from household.people.traits import Traits
 
 
 class Feelings:
@@ -25,6 +23,7 @@ class Feelings:
         mood: In [-1, 1], shape (n,); robots perceive it with noise.
         pleased: Sum of each person's positive appraisals of each robot, (n, n_robots).
         annoyed: Sum of its negative ones, as positive numbers, (n, n_robots).
+        arrays: What `live_through` is to be given first.
     """
 
     def __init__(
@@ -33,23 +32,13 @@ class Feelings:
         self.mood = np.zeros(len(personas))
         self.pleased = np.zeros((len(personas), n_robots))
         self.annoyed = np.zeros((len(personas), n_robots))
-        self._live_through = partial(
-            _live_through,
-            self.mood,
-            self.pleased,
-            self.annoyed,
-            np.array([math.exp(-period / p.mood_recovery) for p in personas]),
-            traits_of(personas),
-        )
+        fading = [math.exp(-period / persona.mood_recovery) for persona in personas]
+        self.arrays = self.mood, self.pleased, self.annoyed, np.array(fading)
 
     def forget(self) -> None:
         """Begins a new episode."""
         for felt in (self.mood, self.pleased, self.annoyed):
             felt[:] = 0.0
-
-    def live_through(self, judgements: Judgements) -> None:
-        """New judgements move moods and are remembered; then moods fade a little."""
-        self._live_through(judgements.new, judgements.value, judgements.believed)
 
     def opinion(self, person: int, robot: int) -> int:
         """A questionnaire answer on a robot, from 1 to 10 (paper, section 4.1)."""
@@ -57,16 +46,28 @@ class Feelings:
 
 
 @compiled
-def _live_through(
+def live_through(
     mood: Floats,
     pleased: Floats,
     annoyed: Floats,
     fading: Floats,
-    traits: Traits,
     new: Mask,
     value: Floats,
     believed: Indices,
+    traits: Traits,
 ) -> None:
+    """New judgements move moods and are remembered; then moods fade a little.
+
+    Args:
+        mood: As in `Feelings`, like the two that follow; brought up to date in place.
+        pleased: Shape (n, n_robots).
+        annoyed: Shape (n, n_robots).
+        fading: What is left of each mood after a decision period, shape (n,).
+        new: As in `Judgements`, like the two that follow.
+        value: Shape (n, n_robots).
+        believed: Shape (n, n_robots).
+        traits: Of each person, shape (n,).
+    """
     for i in range(len(mood)):
         for r in range(new.shape[1]):
             if new[i, r]:

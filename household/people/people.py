@@ -11,8 +11,8 @@ from household.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled import compiled
 from household.crowd import Crowd
 from household.locomotion import within_reach
-from household.people.appraisal import Appraisals
-from household.people.feelings import Feelings
+from household.people.appraisal import Appraisals, appraise
+from household.people.feelings import Feelings, live_through
 from household.people.mind import (
     Intentions,
     Minds,
@@ -85,6 +85,8 @@ class People:
             self.places.facing,
             traits_of(personas),
         )
+        judging = *self.feelings.arrays, *self.appraisals.arrays
+        self._judge = partial(_judge, *judging)
         self._wishes: dict[int, Wish] = {}
         self._percepts: Percepts | None = None
 
@@ -141,8 +143,16 @@ class People:
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        self.appraisals.judge(self.activity, self.intentions.eyes_open, senses, robots)
-        self.feelings.live_through(self.appraisals.judgements)
+        self._judge(
+            self.activity,
+            self.intentions.eyes_open,
+            robots.behaviors,
+            robots.begun,
+            senses.attends,
+            senses.attention,
+            senses.sees,
+            senses.level,
+        )
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
@@ -238,6 +248,51 @@ class People:
             crowd.position, self.quarry, senses.walls, self._near
         )
         return self._near.nonzero()[0].tolist() if anybody else []
+
+
+@compiled
+def _judge(
+    mood: Floats,
+    pleased: Floats,
+    annoyed: Floats,
+    fading: Floats,
+    new: Mask,
+    value: Floats,
+    believed: Indices,
+    attending: Mask,
+    pleasing: Mask,
+    judged: Indices,
+    preferences: Floats,
+    traits: Traits,
+    activity: Indices,
+    eyes_open: Mask,
+    doing: Indices,
+    begun: Indices,
+    attends: Mask,
+    attention: Floats,
+    sees: Mask,
+    level: Floats,
+) -> None:
+    """What `appraise` finds out is lived through; both say what is what."""
+    appraise(
+        new,
+        value,
+        believed,
+        attending,
+        pleasing,
+        judged,
+        preferences,
+        traits,
+        activity,
+        eyes_open,
+        doing,
+        begun,
+        attends,
+        attention,
+        sees,
+        level,
+    )
+    live_through(mood, pleased, annoyed, fading, new, value, believed, traits)
 
 
 @compiled
