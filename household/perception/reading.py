@@ -1,7 +1,7 @@
 """Reading situations off activities and attention, as each robot sees them."""
 
 from functools import lru_cache
-from itertools import compress, islice, product
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,17 +60,22 @@ class SituationReader:
 
     def _make_situations(self, activity: bytes, looks: bytes) -> tuple[Situation, ...]:
         """The situation of each robot."""
-        each = iter(looks)
+        size = len(self._relations[0])
         seen = [
-            self._situation(activity, bytes(islice(each, len(relations))), view)
-            for view, relations in enumerate(self._relations)
+            self._situation(activity, looks[size * view : size * (view + 1)], view)
+            for view in range(len(self._relations))
         ]
         return tuple(seen * self._alike)
 
     def _make_situation(self, activity: bytes, attends: bytes, view: int) -> Situation:
         """The situation that these roles and this attention make."""
-        attended = frozenset(compress(self._relations[view], attends))
-        return Situation(self._plays(activity), attended)
+        relations = self._relations[view]
+        # Few of them hold: to look for those is faster than to go through all.
+        held, at = [], attends.find(1)
+        while at >= 0:
+            held.append(relations[at])
+            at = attends.find(1, at + 1)
+        return Situation(self._plays(activity), frozenset(held))
 
     def _make_plays(self, activity: bytes) -> tuple[tuple[str, str], ...]:
         """Who plays which role, as situations have it."""
