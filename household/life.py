@@ -79,7 +79,9 @@ class Life:
             steering_period=scenario.steering_period,
             physics_period=scenario.physics_period,
         )
-        self.senses = Senses(scenario.plan, scenario.perception, n_people + n_robots)
+        self.senses = Senses(
+            scenario.plan, scenario.perception, n_people + n_robots, silent=n_people
+        )
         self._streams = Streams(n_people, n_robots)
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period

@@ -82,9 +82,10 @@ def onward_to(
             kept_at[:], n_kept[0] = NOWHERE, 0
         kept_at[goal] = n_kept[0]
         n_kept[0] += 1
-        _search(height, scratch, goal, start, kept[kept_at[goal]])
+        _search(height, scratch, goal, start, kept[kept_at[goal]], 1)
     elif kept[kept_at[goal], start] == UNKNOWN:
-        _search(height, scratch, goal, start, kept[kept_at[goal]])
+        # A goal of many: twice as far as needed, so that few more ask in vain.
+        _search(height, scratch, goal, start, kept[kept_at[goal]], 2)
     return kept[kept_at[goal]]
 
 
@@ -95,11 +96,13 @@ def beyond(cell: int, step: int, height: int) -> int:
 
 
 @compiled
-def _search(height: int, scratch: Cells, goal: int, start: int, onward: Turns) -> None:
+def _search(
+    height: int, scratch: Cells, goal: int, start: int, onward: Turns, times: int
+) -> None:
     """Shortest ways to a cell (Dijkstra's, with Dial's buckets).
 
     The search ends once the way from ``start`` is known, and with it all ways that are
-    no longer. They are the same however far a search goes.
+    no longer, or so many times as long. They are the same however far a search goes.
 
     Args:
         height: Of the grid.
@@ -110,6 +113,7 @@ def _search(height: int, scratch: Cells, goal: int, start: int, onward: Turns) -
         start: A cell from which a way leads there.
         onward: Filled in with the step that leads on from each cell, `HERE` at the
             goal, `UNKNOWN` where the way is not known, shape (width * height,).
+        times: How many times as far as ``start`` is to search.
     """
     onward[:] = UNKNOWN
     away = scratch[0]  # As far as found.
@@ -120,7 +124,7 @@ def _search(height: int, scratch: Cells, goal: int, start: int, onward: Turns) -
     cells, steps, followers = scratch[1:].reshape((3, -1))
     cells[0], steps[0], followers[0] = goal, HERE, NOWHERE
     away[goal], bucket[0], entries, distance = 0, 0, 1, 0
-    while away[start] >= distance:
+    while times * away[start] >= distance:
         entry = bucket[distance % BUCKETS]
         bucket[distance % BUCKETS] = NOWHERE
         while entry != NOWHERE:

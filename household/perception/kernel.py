@@ -109,6 +109,7 @@ def separate(
     walls: Array,
     tall: Array,
     wall_loss: float,
+    silent: int,
     hidden: NDArray[np.int64],
     loss: Array,
 ) -> None:
@@ -121,6 +122,7 @@ def separate(
             x1, y1, x2, y2 [m].
         tall: Segments that block sight alone, shape (4, k) [m].
         wall_loss: What one wall takes from a sound [dB].
+        silent: So many of the first make no sound; between those, none is lost.
         hidden: Walls between each two, or where there is none, tall things, (n, n);
             changed in place.
         loss: As from `attenuation`, (n, n) [dB]; changed in place.
@@ -138,7 +140,8 @@ def separate(
         for j in range(i + 1, n):
             if moved[i] or moved[j]:
                 found = _between(position, i, j, walls, of_walls[i], of_walls[j])
-                loss[i, j] = loss[j, i] = _loss(position, i, j, found * wall_loss)
+                if j >= silent:
+                    loss[i, j] = loss[j, i] = _loss(position, i, j, found * wall_loss)
                 if found == 0:
                     found = _between(position, i, j, tall, of_tall[i], of_tall[j])
                 hidden[i, j] = hidden[j, i] = found
@@ -306,6 +309,7 @@ def perceive(
     walls: Array,
     tall: Array,
     wall_loss: float,
+    silent: int,
     focus: float,
     distance: float,
     above: float,
@@ -332,7 +336,7 @@ def perceive(
     From ``before`` to ``began`` all is brought up to date in place. Returns whether
     anybody attends to others than before.
     """
-    separate(before, position, walls, tall, wall_loss, hidden, loss)
+    separate(before, position, walls, tall, wall_loss, silent, hidden, loss)
     sight(position, gaze, half_view, hidden, sees, facing)
     attention(position, sees, facing, salience, absorption, focus, distance, share)
     hear(source, loss, level)

@@ -16,6 +16,12 @@ Mask = NDArray[np.bool_]
 class Senses:
     """What everybody perceives; people come first and robots after them.
 
+    Args:
+        plan: The home.
+        model: How well everybody perceives.
+        n: How many there are.
+        silent: So many of the first never make a sound.
+
     The arrays are the same from moment to moment, with new values in them.
 
     Attributes:
@@ -27,11 +33,14 @@ class Senses:
             less than 1.
         attends: ``attends[i, j]``: i attends to j, with hysteresis, shape (n, n).
         attention_began: Since when i attends to j [s], NaN if it does not, (n, n).
-        loss: What a sound loses on its way from j to i, shape (n, n) [dB].
+        loss: What a sound loses on its way from j to i, shape (n, n) [dB]; infinite
+            where both never make one.
         level: How loud i hears j, shape (n, n) [dB], at least 0.
     """
 
-    def __init__(self, plan: FloorPlan, model: PerceptionModel, n: int) -> None:
+    def __init__(
+        self, plan: FloorPlan, model: PerceptionModel, n: int, silent: int = 0
+    ) -> None:
         # Walls are opaque too: what hides is counted as walls and as tall furniture.
         opaque, walls = plan.opaque_segments, len(plan.wall_segments)
         self.walls = np.ascontiguousarray(opaque[:walls].T)
@@ -48,6 +57,7 @@ class Senses:
             self.walls,
             np.ascontiguousarray(opaque[walls:].T),
             model.wall_loss,
+            silent,
             np.deg2rad(model.focus),
             model.distance,
             model.attend_above,
