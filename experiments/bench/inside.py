@@ -33,40 +33,36 @@ PACE = 1.0
 
 
 def physics(settings: Settings) -> Iterator[Measure]:
-    """Yields how a step compares to the engine's own work.
+    """Yields how a step compares to the engine's own work in as many ticks.
 
-    Once to those calls of the engine that are really made, which are none where nobody
-    walks; and once to ten ticks in which all six bodies walk.
+    The engine is measured alone, in ten ticks in which all six bodies walk. A step
+    calls it for encounters only, and so less often.
     """
-    env, spent = evening(), list[float]()
-    walk = _walk(evening())
-    with _timed(env.life.crowd.space, "step", spent):
-        step, rounds = PatientStepping(env), list[tuple[float, float, float]]()
-        for _ in range(settings.repetitions):
-            spent.clear()
-            begin = time.process_time()
-            for _ in range(settings.steps):
-                step()
-            whole = time.process_time() - begin
-            # The median call, since other work on the machine may interrupt a few.
-            calls = statistics.median(spent) * len(spent) if spent else math.nan
-            alone = statistics.median(walk() for _ in range(settings.steps))
-            rounds.append((whole / settings.steps, calls / settings.steps, alone))
-    whole_step, made, walking = (list(each) for each in zip(*rounds, strict=True))
-    for name, seconds, ratio, at_most in (
-        ("Space.step as called in a step", made, "step / Space.step", 3.0),
-        ("10 x Space.step, all walking", walking, "step / that, all walking", None),
-    ):
-        yield Measure(
-            part="physics", name=name, unit="us", values=microseconds(seconds)
-        )
-        yield Measure(
-            part="physics",
-            name=ratio,
-            unit="x",
-            values=ratios(whole_step, seconds),
-            at_most=at_most,
-        )
+    step, walk = PatientStepping(evening()), _walk(evening())
+    for _ in range(settings.steps):
+        step()
+    rounds = list[tuple[float, float]]()
+    for _ in range(settings.repetitions):
+        begin = time.process_time()
+        for _ in range(settings.steps):
+            step()
+        whole = (time.process_time() - begin) / settings.steps
+        # The median, since other work on the machine may interrupt a few.
+        rounds.append((whole, statistics.median(walk() for _ in range(settings.steps))))
+    steps, walks = (list(each) for each in zip(*rounds, strict=True))
+    yield Measure(
+        part="physics",
+        name="10 x Space.step, all walking",
+        unit="us",
+        values=microseconds(walks),
+    )
+    yield Measure(
+        part="physics",
+        name="step / 10 x Space.step",
+        unit="x",
+        values=ratios(steps, walks),
+        at_most=3.0,
+    )
 
 
 def _walk(env: Household) -> Callable[[], float]:
