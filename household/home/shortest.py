@@ -26,7 +26,7 @@ HERE, UNKNOWN = 4, -1
 MOST_BYTES = 64 << 20
 """Of memory for the ways that are kept."""
 
-MOST_GOALS = 1024
+MOST_GOALS = 4096
 """To which ways are kept."""
 
 

@@ -33,7 +33,7 @@ def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
 
 
 @compiled
-def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
+def crossings(position: Array, segments: Array) -> NDArray[np.int32]:
     """How many segments stand between each two entities.
 
     Args:
@@ -44,12 +44,11 @@ def crossings(position: Array, segments: Array) -> NDArray[np.int64]:
         Shape (n, n), symmetric.
     """
     n = position.shape[0]
-    count, columns = np.zeros((n, n), np.int64), np.ascontiguousarray(segments.T)
-    sides = _sides(position, columns)
+    count, columns = np.zeros((n, n), np.int32), np.ascontiguousarray(segments.T)
+    sides, all_ = _sides(position, columns), np.ones(n, np.bool_)
     for i in range(n):
-        for j in range(i + 1, n):
-            found = _between(position, i, j, columns, sides[i], sides[j])
-            count[i, j] = count[j, i] = found
+        _count_between(position, i, columns, sides, all_, count[i])
+        count[i, i] = 0
     return count
 
 
@@ -63,10 +62,10 @@ def between(position: Array, i: int, j: int, columns: Array) -> int:
         j: Index of the other.
         columns: The segments, shape (4, m), columns of x1, y1, x2, y2 [m].
     """
-    ends = np.empty((2, 2))
+    ends, count, asked = np.empty((2, 2)), np.zeros(2, np.int32), np.ones(2, np.bool_)
     ends[0], ends[1] = position[i], position[j]
-    sides = _sides(ends, columns)
-    return _between(ends, 0, 1, columns, sides[0], sides[1])
+    _count_between(ends, 0, columns, _sides(ends, columns), asked, count)
+    return int(count[1])
 
 
 @compiled
@@ -83,23 +82,30 @@ def _sides(position: Array, columns: Array) -> Array:
 
 
 @compiled
-def _between(
-    position: Array, i: int, j: int, columns: Array, side_i: Array, side_j: Array
-) -> int:
-    """How many segments stand between two entities that are on these sides of them.
+def _count_between(
+    position: Array,
+    i: int,
+    columns: Array,
+    sides: Array,
+    asked: Mask,
+    count: NDArray[np.int32],
+) -> None:
+    """How many segments stand between one entity and those that are asked for.
 
     Without a branch, with each coordinate of all segments in a row of its own, and with
     a small number to count in, the processor looks at many segments at once.
     """
     ax, ay = position[i, 0], position[i, 1]
-    dx, dy = position[j, 0] - ax, position[j, 1] - ay
-    count = np.int32(0)
-    for k in range(columns.shape[1]):
-        side1 = dx * (columns[1, k] - ay) - dy * (columns[0, k] - ax)
-        side2 = dx * (columns[3, k] - ay) - dy * (columns[2, k] - ax)
-        apart = (side1 * side2 <= 0.0) & (side1 != side2)
-        count += np.int32(apart & (side_i[k] * side_j[k] <= 0.0))
-    return int(count)
+    for j in range(len(position)):
+        if asked[j]:
+            dx, dy = position[j, 0] - ax, position[j, 1] - ay
+            found = np.int32(0)
+            for k in range(columns.shape[1]):
+                side1 = dx * (columns[1, k] - ay) - dy * (columns[0, k] - ax)
+                side2 = dx * (columns[3, k] - ay) - dy * (columns[2, k] - ax)
+                apart = (side1 * side2 <= 0.0) & (side1 != side2)
+                found += np.int32(apart & (sides[i, k] * sides[j, k] <= 0.0))
+            count[j] = found
 
 
 @compiled
@@ -129,22 +135,26 @@ def separate(
 
     At the end ``before`` holds where everybody is.
     """
-    n = len(position)
-    moved = np.zeros(n, np.bool_)
-    for i in range(n):
-        moved[i] = not (
-            before[i, 0] == position[i, 0] and before[i, 1] == position[i, 1]
-        )
+    n, gone = len(position), before != position
+    moved = gone[:, 0] | gone[:, 1]
     of_walls, of_tall = _sides(position, walls), _sides(position, tall)
+    asked, found = np.zeros(n, np.bool_), np.zeros(n, np.int32)
     for i in range(n):
         for j in range(i + 1, n):
-            if moved[i] or moved[j]:
-                found = _between(position, i, j, walls, of_walls[i], of_walls[j])
+            asked[j] = moved[i] or moved[j]
+        asked[i] = False
+        _count_between(position, i, walls, of_walls, asked, found)
+        for j in range(i + 1, n):
+            if asked[j]:
                 if j >= silent:
-                    loss[i, j] = loss[j, i] = _loss(position, i, j, found * wall_loss)
-                if found == 0:
-                    found = _between(position, i, j, tall, of_tall[i], of_tall[j])
-                hidden[i, j] = hidden[j, i] = found
+                    loss[i, j] = _loss(position, i, j, found[j] * wall_loss)
+                    loss[j, i] = loss[i, j]
+                hidden[i, j] = hidden[j, i] = found[j]
+                asked[j] = found[j] == 0
+        _count_between(position, i, tall, of_tall, asked, found)
+        for j in range(i + 1, n):
+            if asked[j]:
+                hidden[i, j] = hidden[j, i] = found[j]
     before[:] = position
 
 
