@@ -92,7 +92,8 @@ def onward_to(
 @compiled
 def beyond(cell: int, step: int, height: int) -> int:
     """The cell that a step leads to: 0 to 8, as in three columns of three cells."""
-    return cell + (step // 3 - 1) * height + step % 3 - 1
+    column, row = divmod(int(step), 3)  # A small type of its own would overflow.
+    return cell + (column - 1) * height + row - 1
 
 
 @compiled
@@ -124,7 +125,7 @@ def _search(
     cells, steps, followers = scratch[1:].reshape((3, -1))
     cells[0], steps[0], followers[0] = goal, HERE, NOWHERE
     away[goal], bucket[0], entries, distance = 0, 0, 1, 0
-    while times * away[start] >= distance:
+    while times * int(away[start]) >= distance:
         entry = bucket[distance % BUCKETS]
         bucket[distance % BUCKETS] = NOWHERE
         while entry != NOWHERE:

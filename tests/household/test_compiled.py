@@ -1,8 +1,23 @@
-"""Compiling: what is kept on disk, and when it is thrown away."""
+"""Compiling: what is kept on disk, when it is thrown away, and that it changes nothing."""
 
 import os
+import subprocess
+import sys
 
 from household.compiled import forget_outdated
+
+A_MINUTE = """
+import hashlib
+from household import household_v0
+
+env = household_v0.parallel_env("evening")
+env.reset(seed=3)
+read = hashlib.sha256()
+for step in range(60):
+    env.step({agent: (step // 5 + i) % 8 for i, agent in enumerate(env.agents)})
+    read.update(env.state().tobytes() + env.life.crowd.position.tobytes())
+print(read.hexdigest())
+"""
 
 
 def test_what_was_compiled_before_any_source_changed_is_forgotten(tmp_path):
@@ -20,3 +35,17 @@ def test_what_was_compiled_before_any_source_changed_is_forgotten(tmp_path):
     assert [index.exists() for index in kept] == [True, True]
     forget_outdated([tmp_path / "one", tmp_path / "other"])
     assert [index.exists() for index in kept] == [False, False]
+
+
+def test_a_minute_is_the_same_compiled_or_not():
+    told = [
+        subprocess.run(
+            [sys.executable, "-c", A_MINUTE],
+            env={**os.environ, "NUMBA_DISABLE_JIT": plain},
+            capture_output=True,
+            check=True,
+            text=True,
+        ).stdout
+        for plain in ("0", "1")
+    ]
+    assert told[0] == told[1] != ""
