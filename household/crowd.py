@@ -101,7 +101,7 @@ class Crowd:
         self._steer = partial(
             steer, *bodies, speed, radius, steering_period, self.heading, world.velocity
         )
-        self._follow_up = partial(follow_up, *bodies, *progress, steering_period)
+        self._follow_up = partial(follow_up, self.walking, *progress, steering_period)
         self._walk_freely = partial(
             walk_freely,
             self.position,
@@ -248,11 +248,11 @@ class Crowd:
 
     def _push_on(self, points: Array, at: Indices, count: Indices) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
-        before = self.position.copy()
         self._steer(points, at)
-        self.position[:] = self._world.advance(before, self._tick, self._ticks)
+        moved = self._world.advance(self.position, self._tick, self._ticks)
         # Bodies that were pushed come to rest in the period after.
-        stuck, self._pushed = self._follow_up(before, points, at, count)
+        stuck, self._pushed = self._follow_up(self.position, moved, points, at, count)
+        self.position[:] = moved
         return stuck
 
     def _free_the_stuck(self) -> None:

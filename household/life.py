@@ -6,6 +6,7 @@ rewards. The environment steps it, and evaluators and replays look at it.
 
 import math
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,6 +92,18 @@ class Life:
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)
         self._moments = round(scenario.decision_period / scenario.steering_period)
+        # What is perceived is always in the same arrays.
+        self._sense = partial(
+            self.senses.perceive,
+            self.crowd.position,
+            self.crowd.gaze,
+            self.half_view,
+            self._salience,
+            self._absorption,
+            self._source,
+        )
+        noise, mood = scenario.perception.mood_noise, self.people.feelings.mood
+        self._misread = partial(misread, mood, noise, self.moods)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         self.view = self._view()
 
@@ -197,22 +210,9 @@ class Life:
         since = self.time - self._scenario.decision_period
         changed = self.people.show(self.crowd.position, self.half_view)
         self.robots.show(since, self.time, self._salience, self._source)
-        changed |= self.senses.perceive(
-            position=self.crowd.position,
-            gaze=self.crowd.gaze,
-            half_view=self.half_view,
-            salience=self._salience,
-            absorption=self._absorption,
-            source=self._source,
-            now=self.time,
-        )
+        changed |= self._sense(self.time)
         self.scene += changed
-        misread(
-            self.people.feelings.mood,
-            next(self._noise),
-            self._scenario.perception.mood_noise,
-            self.moods,
-        )
+        self._misread(next(self._noise))
 
     def _view(self) -> View:
         """What robots may know; made once, as all arrays stay the same."""

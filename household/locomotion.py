@@ -106,12 +106,12 @@ def steer(
 
 @compiled
 def follow_up(
-    position: Array,
     walking: Mask,
     nearest: Array,
     stalled: Array,
     period: float,
     before: Array,
+    position: Array,
     points: Array,
     at: Indices,
     count: Indices,
@@ -119,12 +119,12 @@ def follow_up(
     """Notes how every walker came on: who is at its waypoint heads for the next.
 
     Args:
-        position: Where everybody is, shape (n, 2) [m].
         walking: Shape (n,); brought up to date in place, like the two that follow.
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
         period: Time since ``before`` [s].
         before: Where everybody was, shape (n, 2) [m].
+        position: Where everybody is, shape (n, 2) [m].
         points: From `Ways`, shape (n, most, 2) [m].
         at: From `Ways`, shape (n,); brought up to date in place.
         count: From `Ways`, shape (n,).

@@ -80,7 +80,7 @@ def walk_freely(
         for _ in range(ticks):
             position += velocity * tick
         stuck, _ = follow_up(
-            position, walking, nearest, stalled, period, before, points, at, count
+            walking, nearest, stalled, period, before, position, points, at, count
         )
         if stuck or within_reach(position, quarry, reach, near_quarry):
             return passed + 1, stuck

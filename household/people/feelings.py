@@ -108,15 +108,15 @@ def opinion(pleased: float, annoyed: float) -> int:
 
 
 @compiled
-def misread(mood: Floats, noise: Floats, size: float, read: Floats) -> None:
+def misread(mood: Floats, size: float, read: Floats, noise: Floats) -> None:
     """Moods as robots read them off faces.
 
     Args:
         mood: Shape (n,).
-        noise: Standard normal, for as many people as could be there, shape
-            (n_robots, at least n).
         size: Standard deviation of the error.
         read: Shape (n_robots, n), in [-1, 1]; filled in.
+        noise: Standard normal, for as many people as could be there, shape
+            (n_robots, at least n).
     """
     for robot in range(len(noise)):
         for i in range(len(mood)):

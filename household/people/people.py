@@ -231,6 +231,8 @@ class People:
 
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
         """The touches that people can give from where they stand, and who can."""
+        if not self._wishes:
+            return []
         return [(i, self._wishes[i]) for i in self._at_hand(crowd, senses)]
 
     def has_touched(self, i: int) -> None:

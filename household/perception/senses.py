@@ -80,9 +80,8 @@ class Senses:
         self.attention[:] = self.level[:] = 0.0
         self.attention_began[:] = np.nan
 
-    def perceive(  # noqa: PLR0913 - one array for each thing that is perceived
+    def perceive(  # noqa: PLR0913, PLR0917 - one array for each thing perceived
         self,
-        *,
         position: Array,
         gaze: Array,
         half_view: Array,

@@ -1,4 +1,4 @@
-"""Compiling: what is kept on disk, when it is thrown away, and that it changes nothing."""
+"""Compiling: what is kept on disk, when it is forgotten, that it changes nothing."""
 
 import os
 import subprocess
