@@ -27,7 +27,7 @@ from household.locomotion import (
 )
 from household.records import Point
 from household.walking import walk_freely
-from household.ways import Ways, all_set_out, set_out
+from household.ways import Ways, set_out
 from household.world import World
 
 if TYPE_CHECKING:
@@ -86,6 +86,8 @@ class Crowd:
         self._stalled = np.zeros(n)
         self._sidesteps = 0
         self._settled = np.full((n, 2), np.nan)
+        self._goals = np.zeros((n, 2))
+        self._nobody = np.full(n, NOBODY)
         self._pushed = False
         self._where: list[Point] | None = None
         self.position = np.zeros((n, 2))
@@ -117,10 +119,7 @@ class Crowd:
             self._ticks,
             self._tick,
         )
-        self._set_out = partial(set_out, *self._routes.arrays, *walks)
-        self._all_set_out = partial(
-            all_set_out, *self._routes.arrays, *walks, self._lost
-        )
+        self._set_out = partial(set_out, *self._routes.arrays, *walks, self._lost)
         self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
         self._arrived = partial(arrived, *bodies, self._settled)
         self._is_bound_for = partial(is_bound_for, *bodies, self._settled)
@@ -187,12 +186,9 @@ class Crowd:
         Returns:
             Whether a way leads there.
         """
-        most, ways = self._ways.points.shape[1], self._ways
-        found = self._set_out(ways.points, ways.at, ways.count, i, *goal, now)
-        if found > most:
-            ways.make_room(found)
-            return self.send(i, goal, now)
-        return found > 0
+        self._lost[i] = True
+        self._goals[i] = goal
+        return self._send_lost(self._goals, self._nobody, now)
 
     def send_astray(
         self, goals: Array, quarry: Indices, now: float, but: Sequence[int] = ()
@@ -210,10 +206,17 @@ class Crowd:
             return
         for i in but:
             self._lost[i] = False
-        most = self._all_set_out(ways.points, ways.at, ways.count, goals, quarry, now)
+        self._send_lost(goals, quarry, now)
+
+    def _send_lost(self, goals: Array, quarry: Indices, now: float) -> bool:
+        """Sends all who are lost on a walk; returns whether a way leads anybody."""
+        ways = self._ways
+        most = self._set_out(ways.points, ways.at, ways.count, goals, quarry, now)
         if most > ways.points.shape[1]:
             ways.make_room(most)
-            self.send_astray(goals, quarry, now, but)
+            return self._send_lost(goals, quarry, now)
+        self._lost.fill(False)
+        return most > 0
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""

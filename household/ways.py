@@ -63,15 +63,15 @@ def set_out(
     stalled: Floats,
     settled: Floats,
     walk_began: Floats,
+    lost: Mask,
     points: Floats,
     at: Indices,
     count: Indices,
-    i: int,
-    x: float,
-    y: float,
+    goals: Floats,
+    quarry: Indices,
     now: float,
 ) -> int:
-    """Sends a body on a walk.
+    """Sends everybody on a walk who is lost; to where no way leads, nobody sets out.
 
     Args:
         free: As in `find_way`, like all that follow up to ``n_kept``.
@@ -87,88 +87,12 @@ def set_out(
         stalled: As in `follow_up`, shape (n,) [s].
         settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
         walk_began: Shape (n,) [s].
+        lost: Who is to set out, shape (n,); in the end, who has not for lack of room.
         points: From `Ways`, like the two that follow, shape (n, most, 2) [m].
         at: Shape (n,).
         count: Shape (n,).
-        i: Index of the body.
-        x: Where to [m].
-        y: Where to [m].
-        now: [s].
-
-    Returns:
-        How many waypoints the way has: 0, and the body stands, if no way leads there;
-        and it has not set out if they are more than there is room for.
-    """
-    left = count[i] if walking[i] else at[i]
-    found = find_way(
-        free,
-        parts,
-        corner,
-        scratch,
-        kept_at,
-        kept,
-        n_kept,
-        (position[i, 0], position[i, 1]),
-        (x, y),
-        points[i],
-        at[i],
-        left,
-    )
-    if found == 0:
-        walking[i] = False
-    elif found <= points.shape[1]:
-        if not walking[i]:
-            walking[i], walk_began[i] = True, now
-        at[i], count[i] = 0, found
-        nearest[i], stalled[i], settled[i] = np.inf, 0.0, np.nan
-    return found
-
-
-@compiled
-def all_set_out(
-    free: Grid,
-    parts: Cells,
-    corner: Floats,
-    scratch: Cells,
-    kept_at: Cells,
-    kept: Turns,
-    n_kept: Indices,
-    position: Floats,
-    walking: Mask,
-    nearest: Floats,
-    stalled: Floats,
-    settled: Floats,
-    walk_began: Floats,
-    lost: Mask,
-    points: Floats,
-    at: Indices,
-    count: Indices,
-    goals: Floats,
-    quarry: Indices,
-    now: float,
-) -> int:
-    """Sends everybody on a walk who is lost; see `set_out` for most of the arguments.
-
-    Args:
-        free: As in `set_out`, like all that follow up to ``walk_began``.
-        parts: Shape (width, height).
-        corner: Shape (2,) [m].
-        scratch: Shape (7, n_cells).
-        kept_at: Shape (n_cells,).
-        kept: Shape (n_goals, n_cells).
-        n_kept: Shape (1,).
-        position: Shape (n, 2) [m].
-        walking: Shape (n,).
-        nearest: Shape (n,) [m].
-        stalled: Shape (n,) [s].
-        settled: Shape (n, 2) [m].
-        walk_began: Shape (n,) [s].
-        lost: Who is to set out, shape (n,); in the end, who has not for lack of room.
-        points: As in `set_out`, like the two that follow.
-        at: Shape (n,).
-        count: Shape (n,).
-        goals: One for each of the first m bodies, shape (m, 2) [m].
-        quarry: Whom each is after instead, `NOBODY` for none, shape (m,).
+        goals: Where to, for each of the first m bodies, shape (m, 2) [m].
+        quarry: Whom each goes after instead, `NOBODY` for none, shape (m,).
         now: [s].
 
     Returns:
@@ -176,30 +100,30 @@ def all_set_out(
     """
     most = 0
     for i in range(len(goals)):
-        if lost[i]:
-            x, y = goals[i] if quarry[i] == NOBODY else position[quarry[i]]
-            found = set_out(
-                free,
-                parts,
-                corner,
-                scratch,
-                kept_at,
-                kept,
-                n_kept,
-                position,
-                walking,
-                nearest,
-                stalled,
-                settled,
-                walk_began,
-                points,
-                at,
-                count,
-                i,
-                x,
-                y,
-                now,
-            )
-            lost[i] = found > points.shape[1]
-            most = max(most, found)
+        if not lost[i]:
+            continue
+        x, y = goals[i] if quarry[i] == NOBODY else position[quarry[i]]
+        found = find_way(
+            free,
+            parts,
+            corner,
+            scratch,
+            kept_at,
+            kept,
+            n_kept,
+            (position[i, 0], position[i, 1]),
+            (x, y),
+            points[i],
+            at[i],
+            count[i] if walking[i] else at[i],
+        )
+        lost[i] = found > points.shape[1]
+        if found == 0:
+            walking[i] = False
+        elif not lost[i]:
+            if not walking[i]:
+                walking[i], walk_began[i] = True, now
+            at[i], count[i] = 0, found
+            nearest[i], stalled[i], settled[i] = np.inf, 0.0, np.nan
+        most = max(most, found)
     return most
