@@ -33,26 +33,6 @@ def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
 
 
 @compiled
-def crossings(position: Array, segments: Array) -> NDArray[np.int32]:
-    """How many segments stand between each two entities.
-
-    Args:
-        position: Shape (n, 2) [m].
-        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
-
-    Returns:
-        Shape (n, n), symmetric.
-    """
-    n = position.shape[0]
-    count, columns = np.zeros((n, n), np.int32), np.ascontiguousarray(segments.T)
-    sides, all_ = _sides(position, columns), np.ones(n, np.bool_)
-    for i in range(n):
-        _count_between(position, i, columns, sides, all_, count[i])
-        count[i, i] = 0
-    return count
-
-
-@compiled
 def between(position: Array, i: int, j: int, columns: Array) -> int:
     """How many segments stand between two entities, as `crosses` has it.
 
@@ -131,7 +111,8 @@ def separate(
         silent: So many of the first make no sound; between those, none is lost.
         hidden: Walls between each two, or where there is none, tall things, (n, n);
             changed in place.
-        loss: As from `attenuation`, (n, n) [dB]; changed in place.
+        loss: What a sound loses between each two, symmetric and infinite on the
+            diagonal, shape (n, n) [dB]; changed in place.
 
     At the end ``before`` holds where everybody is.
     """
@@ -238,31 +219,12 @@ def attention(
 
 
 @compiled
-def attenuation(position: Array, walls: NDArray[np.int64], wall_loss: float) -> Array:
-    """What a sound loses on its way from each entity to each other one.
-
-    A point source loses 6 dB for each doubling of the distance beyond 1 m, and a
-    fixed amount with each wall in between.
-
-    Args:
-        position: Shape (n, 2) [m].
-        walls: Walls between each two entities, shape (n, n).
-        wall_loss: What one wall takes away [dB].
-
-    Returns:
-        Shape (n, n), symmetric [dB]; infinite on the diagonal.
-    """
-    n = position.shape[0]
-    loss = np.full((n, n), np.inf)
-    for i in range(n):
-        for j in range(i + 1, n):
-            loss[i, j] = loss[j, i] = _loss(position, i, j, wall_loss * walls[i, j])
-    return loss
-
-
-@compiled
 def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
-    """What a sound loses between two entities [dB]."""
+    """What a sound loses between two entities [dB].
+
+    A point source loses 6 dB for each doubling of the distance beyond 1 m, and a fixed
+    amount with each wall in between.
+    """
     dx = position[j, 0] - position[i, 0]
     dy = position[j, 1] - position[i, 1]
     away = max(np.sqrt(dx * dx + dy * dy), NEAREST)

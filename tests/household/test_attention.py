@@ -201,10 +201,11 @@ def properly_crosses(a, b, c, d):
 def test_lines_of_sight_are_crossed_exactly_where_geometry_says(a, b, c, d):
     expected = properly_crosses(a, b, c, d)
     if expected is not None:
-        found = kernel.crossings(
-            np.array([a, b], dtype=float), np.array([[*c, *d]], dtype=float)
-        )
-        assert found.tolist() == [[0, expected], [expected, 0]]
+        ends = np.array([a, b], dtype=float)
+        columns = np.array([[*c, *d]], dtype=float).T.copy()
+        assert kernel.between(ends, 0, 1, columns) == expected
+        assert kernel.between(ends, 1, 0, columns) == expected
+        assert kernel.crosses(*ends[0], *ends[1], columns[:, 0]) == expected
 
 
 def test_attending_begins_above_one_threshold_and_ends_below_a_lower_one(sensing):

@@ -15,9 +15,17 @@ NO_WALLS = np.zeros((0, 4))
 
 
 def loss_between(one, other, walls=NO_WALLS, wall_loss=25.0):
-    position = np.array([one, other], dtype=float)
-    crossed = kernel.crossings(position, np.array(walls, dtype=float))
-    return kernel.attenuation(position, crossed, wall_loss)[0, 1]
+    return losses([one, other], walls, wall_loss)[0, 1]
+
+
+def losses(position, walls=NO_WALLS, wall_loss=25.0, silent=0):
+    """What the kernel makes of it when everybody has just come there."""
+    position, n = np.array(position, dtype=float), len(position)
+    columns = np.ascontiguousarray(np.array(walls, dtype=float).T)
+    hidden, loss = np.zeros((n, n), dtype=np.int64), np.full((n, n), np.inf)
+    tall, before = np.zeros((4, 0)), np.full((n, 2), np.nan)
+    kernel.separate(before, position, columns, tall, wall_loss, silent, hidden, loss)
+    return loss
 
 
 def test_a_sound_is_given_as_it_is_at_one_meter():
@@ -42,10 +50,17 @@ def test_every_wall_in_between_takes_as_much_again(n):
 
 
 def test_loss_is_the_same_in_both_directions_and_no_ear_is_its_own_source():
-    position = np.array([[0.0, 0.0], [3.0, 1.0], [7.0, 2.0]])
-    loss = kernel.attenuation(position, np.zeros((3, 3), dtype=np.int64), 25.0)
+    loss = losses([(0.0, 0.0), (3.0, 1.0), (7.0, 2.0)])
     np.testing.assert_array_equal(loss, loss.T)
     assert np.isinf(loss.diagonal()).all()
+    assert np.isfinite(loss).sum() == 6
+
+
+def test_nothing_is_worked_out_between_those_who_make_no_sound():
+    """Two silent ones, then one that is heard by both and hears them."""
+    loss = losses([(0.0, 0.0), (3.0, 1.0), (7.0, 2.0)], silent=2)
+    finite = [[False, False, True], [False, False, True], [True, True, False]]
+    assert np.isfinite(loss).tolist() == finite
 
 
 def test_what_is_heard_is_the_source_less_the_loss_and_never_below_silence(room):
