@@ -4,7 +4,6 @@ A person's center may be wherever its body clears everything solid. That free sp
 is a grid; shortest ways on it are pulled straight wherever the straight line is free.
 """
 
-from collections.abc import Sequence
 from functools import cached_property, lru_cache, reduce
 
 import numpy as np
@@ -106,25 +105,20 @@ class Routes:
         """What `find_way` is to be given first."""
         return self.free, self.parts, self._origin, *room_for_ways(self._indoors)
 
-    def plan(
-        self, start: Point, goal: Point, before: Sequence[Point] = ()
-    ) -> list[Point]:
+    def plan(self, start: Point, goal: Point) -> list[Point]:
         """Waypoints of a short walk.
 
         Args:
             start: Where the walk begins [m].
             goal: Where it should end [m]; where no body fits, the nearest place
                 where one does.
-            before: What is left of the way that the walker is on; where the goal has
-                only moved a little, the end of that way is bent towards it.
 
         Returns:
             Points [m] to walk to one after the other, the last one nearest to the
             goal. Empty if no way leads there.
         """
-        way = np.zeros((max(ROOM, len(before)), 2))
-        way[: len(before)] = np.reshape(before, (-1, 2))
-        count = find_way(*self.arrays, start, goal, way, 0, len(before))
+        way = np.zeros((ROOM, 2))
+        count = find_way(*self.arrays, start, goal, way, 0, 0)
         if count > len(way):
             way = np.zeros((count, 2))
             count = find_way(*self.arrays, start, goal, way, 0, 0)
