@@ -17,12 +17,12 @@ from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
     CROWDED,
+    are_pressed,
     arrived,
     astray,
     follow_up,
     is_bound_for,
     is_stuck,
-    steer,
     turn_heads,
 )
 from household.records import Point
@@ -88,7 +88,7 @@ class Crowd:
         self._settled = np.full((n, 2), np.nan)
         self._goals = np.zeros((n, 2))
         self._nobody = np.full(n, NOBODY)
-        self._pushed = False
+        self._pressed = False
         self._where: list[Point] | None = None
         self.position = np.zeros((n, 2))
         self.heading = np.zeros(n)
@@ -100,10 +100,16 @@ class Crowd:
         bodies = self.position, self.walking
         progress = self._nearest, self._stalled
         walks = *bodies, *progress, self._settled, self.walk_began
-        self._steer = partial(
-            steer, *bodies, speed, radius, steering_period, self.heading, world.velocity
+        self._are_pressed = partial(are_pressed, *bodies, radius)
+        self._follow_up = partial(
+            follow_up,
+            self.walking,
+            *progress,
+            self._settled,
+            radius,
+            steering_period,
+            self.position,
         )
-        self._follow_up = partial(follow_up, self.walking, *progress, steering_period)
         self._walk_freely = partial(
             walk_freely,
             self.position,
@@ -111,6 +117,7 @@ class Crowd:
             self.heading,
             self.walking,
             *progress,
+            self._settled,
             speed,
             radius,
             world.solid,
@@ -134,7 +141,7 @@ class Crowd:
         self.walking[:] = False
         self._sidesteps = 0
         self._settled[:] = np.nan
-        self._pushed = False
+        self._pressed = False
 
     @property
     def where(self) -> list[Point]:
@@ -236,12 +243,10 @@ class Crowd:
             How many have passed: fewer, if somebody has something to decide, such as
             who may be within reach of its quarry.
         """
-        if not (self._pushed or True in self.walking.tolist()):
+        if not (self._pressed or True in self.walking.tolist()):
             return periods if set(quarry.tolist()) <= {NOBODY} else 1
         ways = self._ways.points, self._ways.at, self._ways.count
-        passed, stuck = 0, False
-        if not self._pushed:
-            passed, stuck = self._walk_freely(*ways, quarry, reach, periods)
+        passed, stuck = self._walk_freely(*ways, quarry, reach, periods, self._pressed)
         if passed == 0:
             passed, stuck = 1, self._push_on(*ways)
         self._where = None
@@ -251,11 +256,9 @@ class Crowd:
 
     def _push_on(self, points: Array, at: Indices, count: Indices) -> bool:
         """Walks for a period with the engine's help: bodies push each other."""
-        self._steer(points, at)
-        moved = self._world.advance(self.position, self._tick, self._ticks)
-        # Bodies that were pushed come to rest in the period after.
-        stuck, self._pushed = self._follow_up(self.position, moved, points, at, count)
-        self.position[:] = moved
+        self.position[:] = self._world.advance(self.position, self._tick, self._ticks)
+        stuck = self._follow_up(points, at, count)
+        self._pressed = self._are_pressed()
         return stuck
 
     def _free_the_stuck(self) -> None:

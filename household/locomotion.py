@@ -37,15 +37,25 @@ PASSED = 0.15
 ARRIVED = 0.05
 """Distance at which a walk ends [m]."""
 
-STILL = 1e-4
-"""How far a body moves at most that is at rest, between two looks [m]; the engine parts
-bodies ever more slowly."""
+TOUCH = 0.01
+"""Gap between bodies that touch, at most [m]."""
+
+MARGIN = 0.001
+"""Bodies that come this near to each other [m] are left to the engine."""
+
+PUSHY = 1.0
+"""Time without progress after which a walker pushes who stands in its way [s]."""
+
+OVERLAP = 0.003
+"""How deep bodies may overlap that nothing presses together [m]; the engine parts them
+ever more slowly."""
 
 
 @compiled
 def steer(
     position: Array,
     walking: Mask,
+    stalled: Array,
     speed: Array,
     radius: Array,
     period: float,
@@ -58,11 +68,13 @@ def steer(
 
     A walker slows down only to end on its waypoint. Where a body is in its way, it
     turns to its right in proportion to how near that body is, so that two who meet
-    pass each other.
+    pass each other. It does not walk into who stands, unless it got no further for a
+    while.
 
     Args:
         position: Shape (n, 2) [m].
         walking: Shape (n,).
+        stalled: Since how long each came no nearer, (n,) [s].
         speed: Of each that walks, shape (n,) [m/s].
         radius: Of each body, shape (n,) [m].
         period: Time until the next steering [s].
@@ -85,7 +97,7 @@ def steer(
         dx /= away
         dy /= away
         pace = min(speed[i], away / period)
-        turn = 0.0
+        turn, alone = 0.0, True
         for j in range(n):
             if j == i:
                 continue
@@ -94,6 +106,7 @@ def steer(
             if max(abs(ox), abs(oy)) > COMFORT + radius[i] + radius[j]:
                 continue  # spares most pairs the root
             gap = np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
+            alone &= gap >= COMFORT
             if 0.0 < ox * dx + oy * dy < away and gap < COMFORT:
                 turn = max(turn, 1.0 - max(gap, 0.0) / COMFORT)
         vx = dx + turn * dy
@@ -101,7 +114,34 @@ def steer(
         norm = np.sqrt(vx * vx + vy * vy)
         velocity[i, 0] = pace * vx / norm
         velocity[i, 1] = pace * vy / norm
+        if not alone and stalled[i] < PUSHY:
+            _go_round(position, walking, radius, period, i, velocity[i])
         heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
+
+
+@compiled
+def _go_round(
+    position: Array,
+    walking: Mask,
+    radius: Array,
+    period: float,
+    i: int,
+    velocity: Array,
+) -> None:
+    """Takes from a velocity what would lead into bodies that stand."""
+    for j in range(len(position)):
+        if walking[j] or j == i:
+            continue
+        ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+        away = np.sqrt(ox * ox + oy * oy)
+        gap = away - radius[i] - radius[j] - 2 * MARGIN
+        if away < 1e-9 or gap > COMFORT:
+            continue
+        ox, oy = ox / away, oy / away
+        too_fast = ox * velocity[0] + oy * velocity[1] - gap / period
+        if too_fast > 0.0:
+            velocity[0] -= too_fast * ox
+            velocity[1] -= too_fast * oy
 
 
 @compiled
@@ -109,34 +149,36 @@ def follow_up(
     walking: Mask,
     nearest: Array,
     stalled: Array,
+    settled: Array,
+    radius: Array,
     period: float,
-    before: Array,
     position: Array,
     points: Array,
     at: Indices,
     count: Indices,
-) -> tuple[bool, bool]:
+) -> bool:
     """Notes how every walker came on: who is at its waypoint heads for the next.
 
+    Who comes no nearer because somebody stands on its goal has arrived.
+
     Args:
-        walking: Shape (n,); brought up to date in place, like the two that follow.
+        walking: Shape (n,); brought up to date in place, like the three that follow.
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
-        period: Time since ``before`` [s].
-        before: Where everybody was, shape (n, 2) [m].
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
+        radius: Of each body, shape (n,) [m].
+        period: Since this was last done [s].
         position: Where everybody is, shape (n, 2) [m].
         points: From `Ways`, shape (n, most, 2) [m].
         at: From `Ways`, shape (n,); brought up to date in place.
         count: From `Ways`, shape (n,).
 
     Returns:
-        Whether anybody is stuck, and whether anybody was pushed who does not walk.
+        Whether anybody is stuck.
     """
-    stuck, pushed = False, False
+    stuck = False
     for i in range(len(position)):
-        dx, dy = position[i, 0] - before[i, 0], position[i, 1] - before[i, 1]
         if not walking[i]:
-            pushed |= max(abs(dx), abs(dy)) > STILL
             continue
         wx = points[i, at[i], 0] - position[i, 0]
         wy = points[i, at[i], 1] - position[i, 1]
@@ -150,7 +192,48 @@ def follow_up(
         else:
             stalled[i] += period
             stuck |= is_stuck(stalled[i])
-    return stuck, pushed
+            goal = points[i, count[i] - 1]
+            if _is_taken(position, walking, radius, i, goal):
+                walking[i], stalled[i] = False, 0.0
+                settled[i] = goal
+    return stuck
+
+
+@compiled
+def are_pressed(position: Array, walking: Mask, radius: Array) -> bool:
+    """Whether bodies overlap that do not walk, so that they push each other away.
+
+    Args:
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        radius: Of each body, shape (n,) [m].
+    """
+    for i in range(len(position)):
+        for j in range(i):
+            if walking[i] or walking[j]:
+                continue
+            dx, dy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+            apart = radius[i] + radius[j] - OVERLAP
+            if dx * dx + dy * dy < apart * apart:
+                return True
+    return False
+
+
+@compiled
+def _is_taken(
+    position: Array, walking: Mask, radius: Array, i: int, goal: Array
+) -> bool:
+    """Whether a body touches another that stands where it wants to be."""
+    for j in range(len(position)):
+        touching = radius[i] + radius[j] + TOUCH
+        if (
+            j != i
+            and not walking[j]
+            and _away(goal, position[j, 0], position[j, 1]) < touching - DRIFT
+            and _away(position[i], position[j, 0], position[j, 1]) < touching
+        ):
+            return True
+    return False
 
 
 @compiled

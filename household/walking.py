@@ -1,18 +1,16 @@
-"""Walking where nothing is in the way, without the physics engine.
+"""Walking where nobody is in the way, without the physics engine.
 
-A body that touches nothing goes on with its velocity; that takes no engine. Most steps
-of most walks are such, and each call of the engine costs more than this whole loop.
+A body that touches nobody goes on with its velocity, or along a wall; that takes no
+engine. Most steps of most walks are such, and each call of the engine costs more than
+this whole loop.
 """
 
 import numpy as np
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.locomotion import follow_up, steer, within_reach
-from household.solid import touches
-
-MARGIN = 0.001
-"""Bodies that come this near to each other [m] are left to the engine."""
+from household.locomotion import MARGIN, OVERLAP, follow_up, steer, within_reach
+from household.solid import keep_out
 
 
 @compiled
@@ -23,6 +21,7 @@ def walk_freely(
     walking: Mask,
     nearest: Floats,
     stalled: Floats,
+    settled: Floats,
     speed: Floats,
     radius: Floats,
     segments: Floats,
@@ -36,17 +35,19 @@ def walk_freely(
     quarry: Indices,
     reach: float,
     periods: int,
+    pressed: bool,
 ) -> tuple[int, bool]:
-    """Lets walkers walk until somebody has something to decide, or may touch something.
+    """Lets walkers walk until somebody has something to decide, or may touch another.
 
     Args:
         position: Shape (n, 2) [m]; changed in place, as all that follow up to
-            ``stalled``, and ``at``, where `steer` and `follow_up` say so.
+            ``settled``, and ``at``, where `steer` and `follow_up` say so.
         velocity: Of the last period, shape (n, 2) [m/s].
         heading: Shape (n,) [rad].
         walking: Shape (n,).
         nearest: How near each came to its waypoint, shape (n,) [m].
         stalled: Since how long each came no nearer, (n,) [s].
+        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
         speed: Of each that walks, shape (n,) [m/s].
         radius: Of each body, shape (n,) [m].
         segments: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
@@ -60,27 +61,44 @@ def walk_freely(
         quarry: Whom each of the first bodies is after, `NOBODY` for none.
         reach: Distance from its quarry at which a body has something to decide [m].
         periods: How many steering periods to walk at most.
+        pressed: Whether bodies press each other that stand.
 
     Returns:
         How many periods have passed, and whether anybody is stuck. If no period has
         passed, the engine has to be asked.
     """
     period = ticks * tick
-    near_quarry = np.empty(len(quarry), np.bool_)
+    before, near_quarry = np.empty_like(position), np.empty(len(quarry), np.bool_)
     for passed in range(periods):
-        steer(position, walking, speed, radius, period, heading, velocity, points, at)
-        if not (
-            _is_clear_of_walls(
-                position, velocity, radius, segments, thickness, boxes, period
-            )
-            and _is_clear_of_others(position, velocity, radius, period)
-        ):
+        steer(
+            position,
+            walking,
+            stalled,
+            speed,
+            radius,
+            period,
+            heading,
+            velocity,
+            points,
+            at,
+        )
+        if pressed or not _is_clear_of_others(position, velocity, radius, period):
             return passed, False
-        before = position.copy()
+        before[:] = position
         for _ in range(ticks):
             position += velocity * tick
-        stuck, _ = follow_up(
-            walking, nearest, stalled, period, before, position, points, at, count
+        keep_out(radius, segments, thickness, boxes, before, position)
+        stuck = follow_up(
+            walking,
+            nearest,
+            stalled,
+            settled,
+            radius,
+            period,
+            position,
+            points,
+            at,
+            count,
         )
         if stuck or within_reach(position, quarry, reach, near_quarry):
             return passed + 1, stuck
@@ -88,51 +106,27 @@ def walk_freely(
 
 
 @compiled
-def _is_clear_of_walls(
-    position: Floats,
-    velocity: Floats,
-    radius: Floats,
-    segments: Floats,
-    thickness: Floats,
-    boxes: Floats,
-    period: float,
-) -> bool:
-    """Whether nobody who walks comes to touch anything solid."""
-    for i in range(len(position)):
-        x, y = position[i]
-        to = (x + velocity[i, 0] * period, y + velocity[i, 1] * period)
-        if to != (x, y) and touches(
-            (x, y), to, radius[i] + MARGIN, segments, thickness, boxes
-        ):
-            return False
-    return True
-
-
-@compiled
 def _is_clear_of_others(
     position: Floats, velocity: Floats, radius: Floats, period: float
 ) -> bool:
-    """Whether nobody who walks comes to touch anybody."""
+    """Whether nobody who walks comes to touch anybody.
+
+    Two that part from each other may still touch.
+    """
     for i in range(len(position)):
-        if velocity[i, 0] == 0.0 and velocity[i, 1] == 0.0:
+        vx, vy = velocity[i]
+        if vx == 0.0 and vy == 0.0:
             continue
         for j in range(len(position)):
-            apart = radius[i] + radius[j] + MARGIN
-            if j != i and _least_gap(position, velocity, i, j, period) < apart:
+            ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+            wx, wy = velocity[j, 0] - vx, velocity[j, 1] - vy
+            nearing = -(ox * wx + oy * wy)
+            apart = radius[i] + radius[j] - OVERLAP
+            if nearing > 0.0:
+                # Where they are when they come nearest to each other.
+                when = min(nearing / (wx * wx + wy * wy), period)
+                ox, oy = ox + wx * when, oy + wy * when
+                apart = radius[i] + radius[j] + MARGIN
+            if j != i and ox * ox + oy * oy < apart * apart:
                 return False
     return True
-
-
-@compiled
-def _least_gap(
-    position: Floats, velocity: Floats, i: int, j: int, period: float
-) -> float:
-    """The least distance between two middles while both go on for a period [m]."""
-    ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-    vx, vy = velocity[j, 0] - velocity[i, 0], velocity[j, 1] - velocity[i, 1]
-    fast = vx * vx + vy * vy
-    when = 0.0
-    if fast > 0.0:
-        when = min(max(-(ox * vx + oy * vy) / fast, 0.0), period)
-    ox, oy = ox + vx * when, oy + vy * when
-    return np.sqrt(ox * ox + oy * oy)

@@ -185,6 +185,10 @@ class Asked:
         monkeypatch.setattr(crowd.space, "step", counted)
 
 
+CLOSE = [(4.4, 2.9), (3.6, 2.9), (3.6, 2.1), (4.4, 2.1)]
+"""Round (4, 2.5)."""
+
+
 @pytest.mark.parametrize(
     ("start", "goal", "asked"),
     [
@@ -192,10 +196,20 @@ class Asked:
         # Past somebody who stands aside, and past a wall with a hand's breadth between.
         ([(1.0, 2.5), (4.0, 3.2)], (7.0, 2.5), False),
         ([(1.0, 0.4)], (7.0, 0.4), False),
-        # Somebody stands on the goal.
-        ([(1.0, 2.5), (7.0, 2.5)], (7.0, 2.5), True),
+        # Somebody stands in the way, or on the goal.
+        ([(1.0, 2.5), (4.0, 2.5)], (7.0, 2.5), False),
+        ([(1.0, 2.5), (7.0, 2.5)], (7.0, 2.5), False),
+        # Four stand round it, with a hand's breadth between them.
+        ([(4.0, 2.5), *CLOSE], (7.0, 2.5), True),
     ],
-    ids=["alone", "past somebody", "along a wall", "onto somebody"],
+    ids=[
+        "alone",
+        "past somebody",
+        "along a wall",
+        "round somebody",
+        "onto somebody",
+        "out of a ring",
+    ],
 )
 def test_the_engine_is_asked_only_where_bodies_may_touch(
     room, crowd_in, monkeypatch, start, goal, asked
@@ -205,8 +219,21 @@ def test_the_engine_is_asked_only_where_bodies_may_touch(
     assert crowd.send(0, goal, 0.0)
     for _ in range(60):
         crowd.advance()
-    assert math.dist(crowd.position[0], goal) < (1.0 if asked else 0.1)
+    taken = any(tuple(body) == goal for body in start)
+    assert math.dist(crowd.position[0], goal) < (0.6 if taken else 0.1)
     assert (engine.times > 0) == asked
+
+
+def test_who_walks_does_not_move_who_stands_but_goes_round(room, crowd_in):
+    crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
+    assert crowd.send(0, (7.0, 2.5), 0.0)
+    aside = 0.0
+    while crowd.walks(0):
+        crowd.advance()
+        aside = max(aside, abs(crowd.position[0, 1] - 2.5))
+        assert math.dist(*crowd.position) >= 0.5
+    assert crowd.position[1].tolist() == [4.0, 2.5]
+    assert 0.5 < aside < 0.8
 
 
 def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in):
@@ -218,7 +245,7 @@ def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in)
         assert crowd.send(1, (1.0, 3.0), 0.0)
         track = []
         for _ in range(20):
-            crowd._pushed = with_engine
+            crowd._pressed = with_engine
             crowd.advance()
             track.append(crowd.position.copy())
         tracks.append(track)
