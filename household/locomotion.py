@@ -43,6 +43,9 @@ TOUCH = 0.01
 MARGIN = 0.001
 """Bodies that come this near to each other [m] are left to the engine."""
 
+ATTEMPTS = 3
+"""How often a walker tries to go round everybody who is close, before it waits."""
+
 PUSHY = 1.0
 """Time without progress after which a walker pushes who stands in its way [s]."""
 
@@ -128,20 +131,33 @@ def _go_round(
     i: int,
     velocity: Array,
 ) -> None:
-    """Takes from a velocity what would lead into bodies that stand."""
-    for j in range(len(position)):
-        if walking[j] or j == i:
-            continue
-        ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-        away = np.sqrt(ox * ox + oy * oy)
-        gap = away - radius[i] - radius[j] - 2 * MARGIN
-        if away < 1e-9 or gap > COMFORT:
-            continue
-        ox, oy = ox / away, oy / away
-        too_fast = ox * velocity[0] + oy * velocity[1] - gap / period
-        if too_fast > 0.0:
-            velocity[0] -= too_fast * ox
-            velocity[1] -= too_fast * oy
+    """Takes from a velocity what would lead into others; who is hemmed in waits.
+
+    Of two walkers each may use half the gap between them.
+    """
+    for attempt in range(ATTEMPTS):
+        clear = True
+        for j in range(len(position)):
+            if j == i:
+                continue
+            ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+            near = COMFORT + radius[i] + radius[j]
+            if max(abs(ox), abs(oy)) > near:
+                continue
+            away = np.sqrt(ox * ox + oy * oy)
+            gap = away - radius[i] - radius[j] - 2 * MARGIN
+            if away < 1e-9 or gap > COMFORT:
+                continue
+            ox, oy = ox / away, oy / away
+            most = (gap / 2 if walking[j] else gap) / period
+            too_fast = ox * velocity[0] + oy * velocity[1] - most
+            if too_fast > 1e-9:
+                velocity[0] -= too_fast * ox
+                velocity[1] -= too_fast * oy
+                clear = False
+        if clear:
+            return
+    velocity[:] = 0.0
 
 
 @compiled

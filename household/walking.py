@@ -9,7 +9,7 @@ import numpy as np
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.locomotion import MARGIN, OVERLAP, follow_up, steer, within_reach
+from household.locomotion import MARGIN, follow_up, steer, within_reach
 from household.solid import keep_out
 
 
@@ -121,12 +121,11 @@ def _is_clear_of_others(
             ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
             wx, wy = velocity[j, 0] - vx, velocity[j, 1] - vy
             nearing = -(ox * wx + oy * wy)
-            apart = radius[i] + radius[j] - OVERLAP
             if nearing > 0.0:
-                # Where they are when they come nearest to each other.
+                # How far from each other they are when they come nearest.
                 when = min(nearing / (wx * wx + wy * wy), period)
                 ox, oy = ox + wx * when, oy + wy * when
                 apart = radius[i] + radius[j] + MARGIN
-            if j != i and ox * ox + oy * oy < apart * apart:
-                return False
+                if ox * ox + oy * oy < apart * apart:
+                    return False
     return True
