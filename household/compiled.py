@@ -40,6 +40,6 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
     home can be written; then every process compiles for itself.
     """
     try:
-        return cast("Callable[P, R]", njit(cache=True)(function))
+        return cast("Callable[P, R]", njit(cache=True, error_model="numpy")(function))
     except RuntimeError:
         return cast("Callable[P, R]", njit(function))

@@ -195,7 +195,7 @@ class Crowd:
         """
         self._lost[i] = True
         self._goals[i] = goal
-        return self._send_lost(self._goals, self._nobody, now)
+        return self._send_lost(self._goals, self._nobody, now, places=False)
 
     def send_astray(
         self, goals: Array, quarry: Indices, now: float, but: Sequence[int] = ()
@@ -213,15 +213,18 @@ class Crowd:
             return
         for i in but:
             self._lost[i] = False
-        self._send_lost(goals, quarry, now)
+        self._send_lost(goals, quarry, now, places=True)
 
-    def _send_lost(self, goals: Array, quarry: Indices, now: float) -> bool:
+    def _send_lost(
+        self, goals: Array, quarry: Indices, now: float, *, places: bool
+    ) -> bool:
         """Sends all who are lost on a walk; returns whether a way leads anybody."""
         ways = self._ways
-        most = self._set_out(ways.points, ways.at, ways.count, goals, quarry, now)
+        arrays = ways.points, ways.at, ways.count
+        most = self._set_out(*arrays, goals, quarry, now, places)
         if most > ways.points.shape[1]:
             ways.make_room(most)
-            return self._send_lost(goals, quarry, now)
+            return self._send_lost(goals, quarry, now, places=places)
         self._lost.fill(False)
         return most > 0
 

@@ -87,9 +87,9 @@ def steer(
         points: From `Ways`, shape (n, most, 2) [m].
         at: From `Ways`, shape (n,).
     """
-    n = position.shape[0]
     velocity[:] = 0.0
-    for i in range(n):
+    close = np.empty(len(position), np.intp)
+    for i in range(len(position)):
         if not walking[i]:
             continue
         dx = points[i, at[i], 0] - position[i, 0]
@@ -99,17 +99,10 @@ def steer(
             continue
         dx /= away
         dy /= away
-        pace = min(speed[i], away / period)
-        turn, alone = 0.0, True
-        for j in range(n):
-            if j == i:
-                continue
-            ox = position[j, 0] - position[i, 0]
-            oy = position[j, 1] - position[i, 1]
-            if max(abs(ox), abs(oy)) > COMFORT + radius[i] + radius[j]:
-                continue  # spares most pairs the root
-            gap = np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
-            alone &= gap >= COMFORT
+        pace, turn = min(speed[i], away / period), 0.0
+        count = _find_close(position, radius, i, close)
+        for j in close[:count]:
+            ox, oy, gap = _gap(position, radius, i, j)
             if 0.0 < ox * dx + oy * dy < away and gap < COMFORT:
                 turn = max(turn, 1.0 - max(gap, 0.0) / COMFORT)
         vx = dx + turn * dy
@@ -117,39 +110,58 @@ def steer(
         norm = np.sqrt(vx * vx + vy * vy)
         velocity[i, 0] = pace * vx / norm
         velocity[i, 1] = pace * vy / norm
-        if not alone and stalled[i] < PUSHY:
-            _go_round(position, walking, radius, period, i, velocity[i])
+        if stalled[i] < PUSHY:
+            _give_way(position, walking, radius, period, i, close[:count], velocity[i])
         heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
 
 
 @compiled
-def _go_round(
+def _find_close(position: Array, radius: Array, i: int, close: Indices) -> int:
+    """Lists who is close to a body, or nearly so; returns how many that are."""
+    count = 0
+    for j in range(len(position)):
+        near = COMFORT + radius[i] + radius[j]
+        close[count] = j
+        count += (
+            (j != i)
+            & (abs(position[j, 0] - position[i, 0]) <= near)
+            & (abs(position[j, 1] - position[i, 1]) <= near)
+        )
+    return count
+
+
+@compiled
+def _gap(
+    position: Array, radius: Array, i: int, j: int
+) -> tuple[float, float, float]:
+    """From the middle of one body to that of another, and the gap between them [m]."""
+    ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+    return ox, oy, np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
+
+
+@compiled
+def _give_way(
     position: Array,
     walking: Mask,
     radius: Array,
     period: float,
     i: int,
+    close: Indices,
     velocity: Array,
 ) -> None:
     """Takes from a velocity what would lead into others; who is hemmed in waits.
 
     Of two walkers each may use half the gap between them.
     """
-    for attempt in range(ATTEMPTS):
+    for _ in range(ATTEMPTS):
         clear = True
-        for j in range(len(position)):
-            if j == i:
+        for j in close:
+            ox, oy, gap = _gap(position, radius, i, j)
+            away = gap + radius[i] + radius[j]
+            if away < 1e-9:
                 continue
-            ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-            near = COMFORT + radius[i] + radius[j]
-            if max(abs(ox), abs(oy)) > near:
-                continue
-            away = np.sqrt(ox * ox + oy * oy)
-            gap = away - radius[i] - radius[j] - 2 * MARGIN
-            if away < 1e-9 or gap > COMFORT:
-                continue
-            ox, oy = ox / away, oy / away
-            most = (gap / 2 if walking[j] else gap) / period
+            ox, oy, left = ox / away, oy / away, gap - 2 * MARGIN
+            most = (left / 2 if walking[j] else left) / period
             too_fast = ox * velocity[0] + oy * velocity[1] - most
             if too_fast > 1e-9:
                 velocity[0] -= too_fast * ox
@@ -240,6 +252,8 @@ def _is_taken(
     position: Array, walking: Mask, radius: Array, i: int, goal: Array
 ) -> bool:
     """Whether a body touches another that stands where it wants to be."""
+    if _away(position[i], goal[0], goal[1]) > CROWDED:
+        return False
     for j in range(len(position)):
         touching = radius[i] + radius[j] + TOUCH
         if (

@@ -113,19 +113,22 @@ def _is_clear_of_others(
 
     Two that part from each other may still touch.
     """
+    xs, ys = position[:, 0].copy(), position[:, 1].copy()
+    us, vs = velocity[:, 0].copy(), velocity[:, 1].copy()
     for i in range(len(position)):
-        vx, vy = velocity[i]
-        if vx == 0.0 and vy == 0.0:
+        if us[i] == 0.0 and vs[i] == 0.0:
             continue
+        meets = False
+        # Without a branch: the processor looks at several at once.
         for j in range(len(position)):
-            ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-            wx, wy = velocity[j, 0] - vx, velocity[j, 1] - vy
-            nearing = -(ox * wx + oy * wy)
-            if nearing > 0.0:
-                # How far from each other they are when they come nearest.
-                when = min(nearing / (wx * wx + wy * wy), period)
-                ox, oy = ox + wx * when, oy + wy * when
-                apart = radius[i] + radius[j] + MARGIN
-                if ox * ox + oy * oy < apart * apart:
-                    return False
+            ox, oy, wx, wy = xs[j] - xs[i], ys[j] - ys[i], us[j] - us[i], vs[j] - vs[i]
+            nearing, fast = -(ox * wx + oy * wy), wx * wx + wy * wy
+            # How far from each other they are when they come nearest.
+            when = nearing / fast if fast > 0.0 else 0.0
+            when = period if when > period else when
+            ox, oy = ox + wx * when, oy + wy * when
+            apart = radius[i] + radius[j] + MARGIN
+            meets |= (nearing > 0.0) & (ox * ox + oy * oy < apart * apart)
+        if meets:
+            return False
     return True

@@ -70,6 +70,7 @@ def set_out(
     goals: Floats,
     quarry: Indices,
     now: float,
+    places: bool,
 ) -> int:
     """Sends everybody on a walk who is lost; to where no way leads, nobody sets out.
 
@@ -77,7 +78,7 @@ def set_out(
         free: As in `find_way`, like all that follow up to ``n_kept``.
         parts: Shape (width, height).
         corner: Shape (2,) [m].
-        scratch: Shape (7, n_cells).
+        scratch: Shape (25, n_cells).
         kept_at: Shape (n_cells,).
         kept: Shape (n_goals, n_cells).
         n_kept: Shape (1,).
@@ -94,6 +95,7 @@ def set_out(
         goals: Where to, for each of the first m bodies, shape (m, 2) [m].
         quarry: Whom each goes after instead, `NOBODY` for none, shape (m,).
         now: [s].
+        places: Whether goals are where others will want to be, too.
 
     Returns:
         How many waypoints the longest way has.
@@ -116,6 +118,7 @@ def set_out(
             points[i],
             at[i],
             count[i] if walking[i] else at[i],
+            places and quarry[i] == NOBODY,
         )
         lost[i] = found > points.shape[1]
         if found == 0:

@@ -118,10 +118,10 @@ class Routes:
             goal. Empty if no way leads there.
         """
         way = np.zeros((ROOM, 2))
-        count = find_way(*self.arrays, start, goal, way, 0, 0)
+        count = find_way(*self.arrays, start, goal, way, 0, 0, False)
         if count > len(way):
             way = np.zeros((count, 2))
-            count = find_way(*self.arrays, start, goal, way, 0, 0)
+            count = find_way(*self.arrays, start, goal, way, 0, 0, False)
         return [(x, y) for x, y in way[:count].tolist()]
 
 

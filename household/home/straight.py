@@ -38,6 +38,7 @@ def find_way(
     way: Floats,
     at: int,
     count: int,
+    keep: bool,
 ) -> int:
     """Finds the waypoints of a short walk.
 
@@ -59,6 +60,7 @@ def find_way(
             holds the way that the walker is on.
         at: Index of the first waypoint of that way that is still before it.
         count: How many waypoints that way has; ``at`` if it is on none.
+        keep: Whether others will walk to that goal, too.
 
     Returns:
         How many waypoints there are, 0 if no way leads there.
@@ -74,7 +76,8 @@ def find_way(
     if first == last:
         way[0, 0], way[0, 1] = end
         return 1
-    onward = onward_to(free.shape[1], scratch, kept_at, kept, n_kept, last, first)
+    height = free.shape[1]
+    onward = onward_to(height, scratch, kept_at, kept, n_kept, last, first, keep)
     turns = _turns(free, onward, corner, first, end)
     if len(turns) <= len(way):
         way[: len(turns)] = turns

@@ -161,15 +161,20 @@ def sight(
             to j, shape (n, n).
     """
     n = position.shape[0]
+    # Plain rows of numbers: the processor looks at several at once.
+    xs, ys = position[:, 0].copy(), position[:, 1].copy()
     for i in range(n):
         ahead_x, ahead_y = np.cos(gaze[i]), np.sin(gaze[i])
         least = np.cos(half_view[i]) if half_view[i] >= 0.0 else np.inf
         for j in range(n):
-            dx, dy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
+            dx, dy = xs[j] - xs[i], ys[j] - ys[i]
             away = np.sqrt(dx * dx + dy * dy)
             cosine = (dx * ahead_x + dy * ahead_y) / away if away > 0.0 else 1.0
-            facing[i, j] = min(max(cosine, -1.0), 1.0)
-            sees[i, j] = i != j and facing[i, j] >= least and hidden[i, j] == 0
+            cosine = 1.0 if cosine > 1.0 else cosine
+            facing[i, j] = -1.0 if cosine < -1.0 else cosine
+        for j in range(n):
+            sees[i, j] = (facing[i, j] >= least) & (hidden[i, j] == 0)
+        sees[i, i] = False
 
 
 @compiled
