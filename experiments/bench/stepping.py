@@ -28,10 +28,6 @@ from experiments.bench.peers import installed
 if TYPE_CHECKING:
     from household.environment import Household
 
-STEPS_PER_WRITE = 8000
-"""Steps between writes to a replay file, as recorders have it, for 1000 steps in a
-repetition."""
-
 OURS = "household, 4 people + 2 robots"
 RESTLESS = "the same, robots never finish"
 MPE2 = "mpe2 simple_spread_v3"
@@ -72,11 +68,13 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
 def recording(settings: Settings) -> Iterator[Measure]:
     """Yields what a replay file adds to a step.
 
-    A repetition lasts until a part of the file is written, and contains that.
+    A repetition lasts until a part of the file is written, and contains that; with
+    1000 steps in a repetition as many as recorders have it.
     """
+    from household.replay.rows import FLUSH_EVERY
     from household.replay.wrapper import RecordEpisodes
 
-    calls = settings.steps * STEPS_PER_WRITE // 1000
+    calls = settings.steps * FLUSH_EVERY // 1000
     with TemporaryDirectory() as folder:
         recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
         subjects = {

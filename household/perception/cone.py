@@ -57,12 +57,14 @@ def gaze_cones(
             if half < 0.0:
                 continue
             count = _gather(x, y, gaze[t, i], half, segments, reach, near)
+            dx, dy = math.cos(gaze[t, i] - half), math.sin(gaze[t, i] - half)
+            turn = 2.0 * half / (RAYS - 1)
+            along, across = math.cos(turn), math.sin(turn)
             for ray in range(RAYS):
-                angle = gaze[t, i] + half * (2.0 * ray / (RAYS - 1) - 1.0)
-                dx, dy = math.cos(angle), math.sin(angle)
                 free = _free(dx, dy, near, count, reach)
                 outline[t, i, ray + 1, 0] = x + free * dx
                 outline[t, i, ray + 1, 1] = y + free * dy
+                dx, dy = dx * along - dy * across, dx * across + dy * along
     return outline
 
 

@@ -14,7 +14,7 @@ from household.scenario import Scenario
 Mask = NDArray[np.bool_]
 
 KEPT = 4096
-"""So many situations are remembered: they recur, and each is put together once."""
+"""So many situations and their parts are remembered, as they recur."""
 
 
 class SituationReader:
@@ -27,7 +27,11 @@ class SituationReader:
     def __init__(self, scenario: Scenario) -> None:
         self._people, robots = scenario.person_names, scenario.robot_names
         self._attention = scenario.situation.attention
-        self._by_name = sorted((name, i) for i, name in enumerate(self._people))
+        # Who may play what, sorted by name.
+        self._parts = [
+            (i, [(name, role) for role in ACTIVITY_NAMES])
+            for name, i in sorted((name, i) for i, name in enumerate(self._people))
+        ]
         # The relations that there can be, in the order of the bytes of `_looks`: for
         # each robot, or once for all of them where they see the same.
         everybody = (*self._people, *robots)
@@ -39,7 +43,7 @@ class SituationReader:
         self._relations = relations[self._attention]
         self._alike = len(robots) // len(self._relations)
         self._plays = lru_cache(maxsize=KEPT)(self._make_plays)
-        self._situation = lru_cache(maxsize=KEPT)(self._make_situation)
+        self._held = lru_cache(maxsize=KEPT)(self._find_held)
         self._situations = lru_cache(maxsize=KEPT)(self._make_situations)
 
     def seen(self, activity: NDArray[np.int_], attends: Mask) -> tuple[Situation, ...]:
@@ -60,24 +64,24 @@ class SituationReader:
 
     def _make_situations(self, activity: bytes, looks: bytes) -> tuple[Situation, ...]:
         """The situation of each robot."""
-        size = len(self._relations[0])
+        size, plays = len(self._relations[0]), self._plays(activity)
         seen = [
-            self._situation(activity, looks[size * view : size * (view + 1)], view)
+            Situation(plays, self._held(looks[size * view : size * (view + 1)], view))
             for view in range(len(self._relations))
         ]
         return tuple(seen * self._alike)
 
-    def _make_situation(self, activity: bytes, attends: bytes, view: int) -> Situation:
-        """The situation that these roles and this attention make."""
+    def _find_held(self, looks: bytes, view: int) -> frozenset[Relation]:
+        """The relations that hold, as seen from one point of view."""
         relations = self._relations[view]
         # Few of them hold: to look for those is faster than to go through all.
-        held, at = [], attends.find(1)
+        held, at = [], looks.find(1)
         while at >= 0:
             held.append(relations[at])
-            at = attends.find(1, at + 1)
-        return Situation(self._plays(activity), frozenset(held))
+            at = looks.find(1, at + 1)
+        return frozenset(held)
 
     def _make_plays(self, activity: bytes) -> tuple[tuple[str, str], ...]:
         """Who plays which role, as situations have it."""
         roles = np.frombuffer(activity, np.int_).tolist()
-        return tuple([(name, ACTIVITY_NAMES[roles[i]]) for name, i in self._by_name])
+        return tuple([parts[roles[i]] for i, parts in self._parts])

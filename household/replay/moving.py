@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 ARROW = 0.35
 """Length of the arrow that shows where a body faces [m]."""
 
+VISIBLE = 0.005
+"""By how much a drawn course may miss a mood, of the range from -1 to 1."""
+
 PEOPLE, GAZES = packed(ACTIVITIES), packed(ACTIVITIES, 160)
 """Colors of people and of their gazes, by activity."""
 
@@ -45,6 +48,40 @@ def _mark_changes(values: NDArray[Any], changed: Mask) -> None:
             if values[row, k] != values[row - 1, k]:
                 changed[row] = True
                 break
+
+
+def bends(values: NDArray[np.float64], least: float) -> Where:
+    """Indices of the rows between which straight lines tell a course over time.
+
+    Args:
+        values: One row for each moment, shape (n_moments, n).
+        least: By how much lines may miss a value.
+    """
+    told = np.zeros(len(values), dtype=np.bool_)
+    told[:1] = told[-1:] = True
+    _mark_bends(values, least, told)
+    return np.flatnonzero(told)
+
+
+@compiled
+def _mark_bends(values: NDArray[np.float64], least: float, told: Mask) -> None:
+    last = 0
+    for row in range(1, len(values)):
+        if _differ(values[row], values[last], least):
+            # Before a jump the course goes on as it was.
+            told[row - 1] |= _differ(values[row], values[row - 1], least)
+            told[row], last = True, row
+
+
+@compiled
+def _differ(
+    one: NDArray[np.float64], other: NDArray[np.float64], least: float
+) -> bool:
+    """Whether any number is another, by more than so much."""
+    differ = False
+    for k in range(len(one)):
+        differ |= abs(one[k] - other[k]) > least
+    return differ
 
 
 def send_rows(
@@ -128,18 +165,19 @@ def _send_bodies(
     """Where bodies are and face; their names stand below them."""
     import rerun as rr
 
+    points = rr.Points2D.descriptor_positions()
     where = changes(rows.position[:, who], rows.heading[:, who])
     position, angle = rows.position[where, who], rows.heading[where, who]
-    points = rr.Points2D.descriptor_positions()
-    below = position - np.array([0.0, radius])
     arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], -1)
-    heading = (
+    bodies = (
+        vectors(points, position),
         vectors(rr.Arrows2D.descriptor_vectors(), arrows),
         vectors(rr.Arrows2D.descriptor_origins(), position),
     )
-    _send_at(stream, entity, rows, where, vectors(points, position))
+    _send_at(stream, entity, rows, where, *bodies)
+    where = changes(rows.position[:, who])
+    below = rows.position[where, who] - np.array([0.0, radius])
     _send_at(stream, f"{entity}/names", rows, where, vectors(points, below))
-    _send_at(stream, f"{entity}/heading", rows, where, *heading)
 
 
 def _send_at(
@@ -152,10 +190,12 @@ def _send_at(
 def _send_series(stream: Stream, rows: Rows, total: NDArray[np.float64]) -> None:
     import rerun as rr
 
-    moments = rows.decision, rows.time
     sums = total + np.cumsum(rows.reward, axis=0)
-    stream.send("reward/sum", moments, rr.Scalars.columns(scalars=sums))
-    stream.send("mood", moments, rr.Scalars.columns(scalars=rows.mood))
+    courses = (("reward/sum", sums, 0.0), ("mood", rows.mood, VISIBLE))
+    for entity, values, least in courses:
+        where = bends(values, least)
+        course = rr.Scalars.columns(scalars=values[where])
+        _send_at(stream, entity, rows, where, *course)
     # Moments without a touch would draw a line of dots at 0.
     where = np.flatnonzero((rows.reward != 0.0).any(axis=1))
     reward = rows.reward[where]
@@ -198,12 +238,11 @@ def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     pieces[:, :, 1, 0] = end[:, None]
     pieces[..., 1] = (np.arange(n) * LANE)[:, None]
     look = _palette(scenario)[rows.behavior + 1]
+    shift = np.zeros((len(rows), 3), dtype=np.float32)
+    shift[:, 0] = -end
     lanes = (
         strips(rr.LineStrips2D.descriptor_strips(), pieces),
         colors(rr.LineStrips2D.descriptor_colors(), look),
+        *rr.Transform3D.columns(translation=shift),
     )
-    moments = rows.decision, rows.time
-    stream.send("credit/past/lanes", moments, lanes)
-    shift = np.zeros((len(rows), 3), dtype=np.float32)
-    shift[:, 0] = -end
-    stream.send("credit/past", moments, rr.Transform3D.columns(translation=shift))
+    stream.send("credit/past", (rows.decision, rows.time), lanes)

@@ -15,7 +15,7 @@ from household.replay.events import Belief, Events
 from household.replay.layout import layout
 from household.replay.moving import send_rows
 from household.replay.process import open_viewer
-from household.replay.rows import Buffer
+from household.replay.rows import FLUSH_EVERY, Buffer
 from household.replay.scenery import set_scene
 from household.replay.situations import Situations
 from household.replay.stream import Moments, Stream, moments_of, saved_layout
@@ -24,10 +24,6 @@ from household.snapshot import touches
 
 if TYPE_CHECKING:
     from household.environment import Household
-
-FLUSH_EVERY = 8000
-"""Decisions between writes to the file; a killed process loses no more than these,
-which is a second or so of simulation."""
 
 WATCH_EVERY = 0.5
 """Time between writes while somebody watches [s of the wall clock]."""

@@ -46,6 +46,10 @@ class Rows:
         return len(self.decision)
 
 
+FLUSH_EVERY = 16_000
+"""Decisions between writes to the file; a killed process loses no more than these,
+which is a second or so of simulation. Each write takes some 20 ms, however short."""
+
 MOST_BYTES = 32 << 20
 """Of memory for a buffer; a large crowd is written out more often."""
 

@@ -107,11 +107,10 @@ def _bodies(stream: Stream) -> None:
     groups = (("people", PERSON_RADIUS, 30.0), ("robots", ROBOT_RADIUS, 40.0))
     for group, radius, order in groups:
         body = rr.Points2D.from_fields(radii=radius, draw_order=order)
-        stream.fix(f"world/{group}", body)
         arrow = rr.Arrows2D.from_fields(
             radii=0.025, colors=[(20, 20, 20)], draw_order=order + 1
         )
-        stream.fix(f"world/{group}/heading", arrow)
+        stream.fix(f"world/{group}", body, arrow)
         stream.fix(f"world/{group}/names", names)
     gaze = rr.LineStrips2D.from_fields(radii=0.012, draw_order=20.0)
     stream.fix("world/people/gaze", gaze)
@@ -193,7 +192,7 @@ def _credit(stream: Stream, scenario: Scenario, learns: bool) -> None:
     robots = list(scenario.robot_names)
     stream.fix("credit/names", rr.Points2D(at, labels=robots, **label))
     lanes = rr.LineStrips2D.from_fields(radii=0.06, draw_order=0.0)
-    stream.fix("credit/past/lanes", lanes)
+    stream.fix("credit/past", lanes)
     touches = rr.Points2D.from_fields(radii=0.09, show_labels=True, draw_order=10.0)
     stream.fix("credit/past/touches", touches)
     true = rr.LineStrips2D.from_fields(radii=0.03, colors=packed([TRUE]), draw_order=3)

@@ -69,16 +69,16 @@ class Situations:
 
     def _make_text(self, activity: bytes, looks: bytes) -> str:
         """The situations in words; one line if all see the same."""
-        width = len(looks) // self._views
-        roles = self._roles(activity)
-        told = []
-        for view in range(self._views):
-            sights = self._sights(looks[view * width : (view + 1) * width], view)
-            told.append(", ".join(filter(None, (roles, sights))))
-        if all(text == told[0] for text in told):
+        width, roles = len(looks) // self._views, self._roles(activity)
+        told = [
+            self._sights(looks[view * width : (view + 1) * width], view)
+            for view in range(self._views)
+        ]
+        told = [f"{roles}, {sights}" if sights else roles for sights in told]
+        if told.count(told[0]) == len(told):
             return told[0]
         pairs = zip(self._robots, told, strict=True)
-        return "\n".join(f"{robot}: {text}" for robot, text in pairs)
+        return "\n".join([f"{robot}: {text}" for robot, text in pairs])
 
     def _make_roles(self, activity: bytes) -> str:
         """Who plays what, in words."""

@@ -8,6 +8,7 @@ from pettingzoo.utils.wrappers import BaseParallelWrapper
 
 from household.environment import Household
 from household.errors import HouseholdError
+from household.replay.rows import FLUSH_EVERY
 
 if TYPE_CHECKING:
     from household.replay.recorder import Recorder
@@ -32,7 +33,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         folder: Path | str,
         *,
         watch: bool | str = False,
-        flush_every: int = 8000,
+        flush_every: int = FLUSH_EVERY,
     ) -> None:
         home = isinstance(env.unwrapped, Household)
         if not (home and isinstance(env, ParallelEnv)):
