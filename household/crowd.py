@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import NOBODY, Indices, Mask
+from household.arrays import NOBODY, Indices, Mask, Zeros
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
@@ -56,6 +56,7 @@ class Crowd:
         speed: Of each body when it walks, shape (n,) [m/s].
         steering_period: Time between looks at where everybody walks [s].
         physics_period: Length of a physics tick [s].
+        zeros: Makes the arrays that others see: `position`, `heading` and `gaze`.
 
     The arrays are the same from moment to moment, with new values in them.
 
@@ -67,7 +68,7 @@ class Crowd:
         walk_began: When each began the walk that it is on, or was on last, (n,) [s].
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913, PLR0917 - one array for each trait of bodies
         self,
         plan: FloorPlan,
         radius: Array,
@@ -75,6 +76,7 @@ class Crowd:
         speed: Array,
         steering_period: float,
         physics_period: float,
+        zeros: Zeros = np.zeros,
     ) -> None:
         n = len(radius)
         self._world = world = World(plan, radius, mass)
@@ -90,9 +92,9 @@ class Crowd:
         self._nobody = np.full(n, NOBODY)
         self._pressed = False
         self._where: list[Point] | None = None
-        self.position = np.zeros((n, 2))
-        self.heading = np.zeros(n)
-        self.gaze = np.zeros(n)
+        self.position: Array = zeros((n, 2))
+        self.heading: Array = zeros((n,))
+        self.gaze: Array = zeros((n,))
         self.walking = np.zeros(n, np.bool_)
         self.walk_began = np.full(n, np.nan)
         # What the loops work on is always the same.

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import SideBySide
 from household.crowd import Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
@@ -41,6 +42,9 @@ ROBOT_HEAD_SPEED = 360.0
 ROBOT_VIEW = math.radians(120.0) / 2
 """Half a robot's field of view [rad]."""
 
+ROOM, ROOM_FOR_PAIRS = 96, 10
+"""For what is recorded of everybody and of every pair [bytes]."""
+
 
 class Life:
     """The people and the robots of a household, their bodies and their senses.
@@ -56,6 +60,7 @@ class Life:
         senses: Who sees, hears and attends to whom.
         moods: The people's moods as each robot reads them, (n_robots, n_people).
         view: What robots may know of this moment.
+        memory: Holds all of that which is recorded.
         half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
         scene: Another number whenever roles or attention are others than before.
         decision: Decisions since the beginning.
@@ -64,8 +69,12 @@ class Life:
 
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
         self._scenario = scenario
-        self.people = People(scenario, make_minds)
-        self.robots = Robots(scenario)
+        n = len(scenario.people) + len(scenario.robots)
+        # What is recorded at each moment is copied all at once.
+        self.memory = SideBySide(ROOM * n + ROOM_FOR_PAIRS * n * n)
+        zeros = self.memory.zeros
+        self.people = People(scenario, make_minds, zeros)
+        self.robots = Robots(scenario, zeros)
         self.scene, self.decision, self.time = 0, 0, 0.0
         personas = [person.persona for person in self.people.everyone]
         n_people, n_robots = len(personas), len(self.robots.names)
@@ -79,15 +88,17 @@ class Life:
             ),
             steering_period=scenario.steering_period,
             physics_period=scenario.physics_period,
+            zeros=zeros,
         )
         self.senses = Senses(
-            scenario.plan, scenario.perception, n_people + n_robots, silent=n_people
+            scenario.plan, scenario.perception, n, silent=n_people, zeros=zeros
         )
         self._streams = Streams(n_people, n_robots)
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
-        self.half_view = np.full(n_people + n_robots, ROBOT_VIEW)
+        self.half_view: Array = zeros((n,))
+        self.half_view[:] = ROBOT_VIEW
         self.moods = np.zeros((n_robots, n_people))
         self._salience = np.ones(n_people + n_robots)
         self._source = np.zeros(n_people + n_robots)

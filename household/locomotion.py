@@ -131,9 +131,7 @@ def _find_close(position: Array, radius: Array, i: int, close: Indices) -> int:
 
 
 @compiled
-def _gap(
-    position: Array, radius: Array, i: int, j: int
-) -> tuple[float, float, float]:
+def _gap(position: Array, radius: Array, i: int, j: int) -> tuple[float, float, float]:
     """From the middle of one body to that of another, and the gap between them [m]."""
     ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
     return ox, oy, np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.arrays import Floats, Indices, Mask
+from household.arrays import Floats, Indices, Mask, Zeros
 from household.compiled import compiled
 from household.people.persona import Persona
 from household.people.traits import Traits
@@ -18,6 +18,7 @@ class Feelings:
         personas: What kind of person each is.
         n_robots: How many robots there are.
         period: Between two decisions [s].
+        zeros: Makes `mood`.
 
     Attributes:
         mood: In [-1, 1], shape (n,); robots perceive it with noise.
@@ -27,9 +28,13 @@ class Feelings:
     """
 
     def __init__(
-        self, personas: Sequence[Persona], n_robots: int, period: float
+        self,
+        personas: Sequence[Persona],
+        n_robots: int,
+        period: float,
+        zeros: Zeros = np.zeros,
     ) -> None:
-        self.mood = np.zeros(len(personas))
+        self.mood: Floats = zeros((len(personas),))
         self.pleased = np.zeros((len(personas), n_robots))
         self.annoyed = np.zeros((len(personas), n_robots))
         fading = [math.exp(-period / persona.mood_recovery) for persona in personas]

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import NOBODY, Floats, Indices, Mask
+from household.arrays import NOBODY, Floats, Indices, Mask, Zeros
 from household.compiled import compiled
 from household.crowd import Crowd
 from household.locomotion import within_reach
@@ -39,6 +39,7 @@ class People:
     Args:
         scenario: Who they are.
         make_minds: Gives them their minds.
+        zeros: Makes the arrays that others see: moods and activities.
 
     Attributes:
         everyone: Who they are.
@@ -55,14 +56,16 @@ class People:
 
     intentions: Intentions
 
-    def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
+    def __init__(
+        self, scenario: Scenario, make_minds: MakeMinds, zeros: Zeros = np.zeros
+    ) -> None:
         self.everyone = everyone_of(scenario)
         personas = [person.persona for person in self.everyone]
         n, n_robots = len(personas), len(scenario.robots)
         self._minds = make_minds(scenario)
         self._period = scenario.decision_period
         self.places = Places(scenario.plan)
-        self.feelings = Feelings(personas, n_robots, self._period)
+        self.feelings = Feelings(personas, n_robots, self._period, zeros)
         self._starts = [spec.start for spec in scenario.people]
         self._robots = [spec.position for spec in scenario.robots]
         self.appraisals = Appraisals(scenario, self.everyone)
@@ -71,7 +74,8 @@ class People:
         self._arrived = np.zeros(n, np.bool_)
         self._near = np.zeros(n, np.bool_)
         self.place = np.full(n, NOWHERE, np.intp)
-        self.activity = np.full(n, int(Activity.UNKNOWN))
+        self.activity: Indices = zeros((n,), np.intp)
+        self.activity[:] = Activity.UNKNOWN
         self.touched = np.zeros(n, np.bool_)
         self.quarry = np.full(n, NOBODY, np.intp)
         self.focus = np.full((n, 2), np.nan)

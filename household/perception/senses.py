@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import Zeros
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
 from household.scenario import PerceptionModel
@@ -21,6 +22,7 @@ class Senses:
         model: How well everybody perceives.
         n: How many there are.
         silent: So many of the first never make a sound.
+        zeros: Makes the arrays that others see: `attention` and `attends`.
 
     The arrays are the same from moment to moment, with new values in them.
 
@@ -39,7 +41,12 @@ class Senses:
     """
 
     def __init__(
-        self, plan: FloorPlan, model: PerceptionModel, n: int, silent: int = 0
+        self,
+        plan: FloorPlan,
+        model: PerceptionModel,
+        n: int,
+        silent: int = 0,
+        zeros: Zeros = np.zeros,
     ) -> None:
         # Walls are opaque too: what hides is counted as walls and as tall furniture.
         opaque, walls = plan.opaque_segments, len(plan.wall_segments)
@@ -47,8 +54,8 @@ class Senses:
         self._position = np.zeros((n, 2))
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
-        self.attention = np.zeros((n, n))
-        self.attends = np.zeros((n, n), dtype=np.bool_)
+        self.attention: Array = zeros((n, n))
+        self.attends: Mask = zeros((n, n), np.bool_)
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))

@@ -74,9 +74,7 @@ def _mark_bends(values: NDArray[np.float64], least: float, told: Mask) -> None:
 
 
 @compiled
-def _differ(
-    one: NDArray[np.float64], other: NDArray[np.float64], least: float
-) -> bool:
+def _differ(one: NDArray[np.float64], other: NDArray[np.float64], least: float) -> bool:
     """Whether any number is another, by more than so much."""
     differ = False
     for k in range(len(one)):

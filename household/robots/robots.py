@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from household.arrays import Indices, Zeros
 from household.compiled import compiled
 from household.people.feedback import Cause, Feedback
 from household.robots.behavior import Bout
@@ -23,6 +24,10 @@ IDLE = Bout(behavior=-1, decision=-1, began=-math.inf, ends=-math.inf)
 class Robots:
     """All robots, in the order of their names.
 
+    Args:
+        scenario: Names them and says what they can do.
+        zeros: Makes the arrays that others see: `behaviors` and `begun`.
+
     Attributes:
         bouts: What each robot is doing.
         behaviors: Index of each robot's behavior, -1 before the first, shape (n,).
@@ -35,11 +40,12 @@ class Robots:
         causes: What each of those touches was really about; for evaluation only.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(self, scenario: Scenario, zeros: Zeros = np.zeros) -> None:
         self.names = scenario.robot_names
         self._durations = [b.duration for b in scenario.repertoire]
         n = len(self.names)
-        self.behaviors, self.begun = np.zeros(n, np.intp), np.zeros(n, np.intp)
+        self.behaviors: Indices = zeros((n,), np.intp)
+        self.begun: Indices = zeros((n,), np.intp)
         self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
         self._show = partial(

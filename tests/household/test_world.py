@@ -338,7 +338,9 @@ def test_a_way_may_turn_as_often_as_it_must(room, crowd_in):
     assert len(way) > len(walls)
     # Whose goal moves a little walks on as before, and only ends elsewhere.
     bent, left = np.array(way), len(way) - 3
-    count = find_way(*routes_of(plan).arrays, way[2], (11.5, 2.6), bent, 3, len(way), False)
+    count = find_way(
+        *routes_of(plan).arrays, way[2], (11.5, 2.6), bent, 3, len(way), False
+    )
     assert count == left
     np.testing.assert_array_equal(bent[:left], [*way[3:-1], (11.5, 2.6)])
     crowd = crowd_in(plan, [start, (0.5, 4.0)], speed=1.2)
