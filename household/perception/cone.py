@@ -10,8 +10,8 @@ from household.compiled import compiled
 Array = NDArray[np.float64]
 Drawn = NDArray[np.float32]
 
-RAYS = 13
-"""Rays in a cone; 120 degrees of view are drawn in steps of 10 degrees."""
+RAYS = 11
+"""Rays in a cone; 120 degrees of view are drawn in steps of 12 degrees."""
 
 EDGE = 1e-6
 """By how much a field of view is widened where what lies beyond is left out [rad]."""

@@ -17,42 +17,54 @@ if TYPE_CHECKING:
 
     Kind = rr.ComponentDescriptor
 
+Sizes = NDArray[np.int64]
+
 ARCHETYPE = "household.State"
 """Under which exact columns are stored, beside Rerun's own kinds of data."""
 
 
-def vectors(kind: "Kind", values: NDArray[Any]) -> "rr.ComponentColumn":
+def vectors(
+    kind: "Kind", values: NDArray[Any], sizes: Sizes | None = None
+) -> "rr.ComponentColumn":
     """Points or arrows.
 
     Args:
         kind: What they are to Rerun: a descriptor, as are those below.
         values: Shape (n_moments, n, 2).
+        sizes: How many there are at each moment, where that differs, (n_moments,); here
+            and below ``values`` are then without the first axis.
     """
-    return _column(kind, _vectors(values), values.shape[1])
+    return _column(kind, _vectors(values), values.shape[1] if sizes is None else sizes)
 
 
-def strips(kind: "Kind", values: NDArray[Any]) -> "rr.ComponentColumn":
+def strips(
+    kind: "Kind", values: NDArray[Any], sizes: Sizes | None = None
+) -> "rr.ComponentColumn":
     """Lines of equally many points, shape (n_moments, n, n_points, 2)."""
     import pyarrow as pa
 
-    _, n, points, _ = values.shape
     inner = _vectors(values)
     whole = pa.list_(pa.field("item", inner.type, nullable=False))
-    lines = pa.ListArray.from_arrays(_offsets(len(inner), points), inner, type=whole)
-    return _column(kind, lines, n)
+    ends = _offsets(len(inner), values.shape[-2])
+    lines = pa.ListArray.from_arrays(ends, inner, type=whole)
+    return _column(kind, lines, values.shape[1] if sizes is None else sizes)
 
 
-def colors(kind: "Kind", values: NDArray[np.uint32]) -> "rr.ComponentColumn":
+def colors(
+    kind: "Kind", values: NDArray[np.uint32], sizes: Sizes | None = None
+) -> "rr.ComponentColumn":
     """Packed colors, shape (n_moments, n)."""
     import pyarrow as pa
 
-    return _column(kind, pa.array(values.reshape(-1)), values.shape[1])
+    each = values.shape[1] if sizes is None else sizes
+    return _column(kind, pa.array(values.reshape(-1)), each)
 
 
 def texts(
     kind: "Kind",
     among: Sequence[str],
     which: NDArray[np.int64],
+    sizes: Sizes | None = None,
 ) -> "rr.ComponentColumn":
     """Texts that recur.
 
@@ -60,11 +72,12 @@ def texts(
         kind: What they are to Rerun.
         among: All that there are.
         which: Indices, shape (n_moments, n).
+        sizes: As in `vectors`.
     """
     import pyarrow as pa
 
     chosen = pa.array(among, pa.string()).take(pa.array(which.reshape(-1)))
-    return _column(kind, chosen, which.shape[1])
+    return _column(kind, chosen, which.shape[1] if sizes is None else sizes)
 
 
 def pictures(kind: "Kind", values: NDArray[np.uint8]) -> "rr.ComponentColumn":
@@ -122,8 +135,13 @@ def _offsets(count: int, size: int) -> NDArray[np.int32]:
     return np.arange(0, count + 1, size, dtype=np.int32)
 
 
-def _column(kind: "Kind", values: "pa.Array", size: int) -> "rr.ComponentColumn":
+def _column(
+    kind: "Kind", values: "pa.Array", size: int | Sizes
+) -> "rr.ComponentColumn":
     import rerun as rr
 
-    offsets = _offsets(len(values), size)
+    if isinstance(size, int):
+        offsets = _offsets(len(values), size)
+    else:
+        offsets = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
     return rr.ComponentColumn(kind, rr.AnyBatchValue(kind, values), offsets=offsets)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.replay.colors import packed
-from household.replay.columns import exact, words
+from household.replay.columns import colors, exact, strips, vectors, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
 from household.replay.rows import Buffer
 from household.replay.scenery import LANE, second
@@ -84,11 +84,11 @@ class Events:
         for touch in touches:
             self._touches.append((now, touch))
             spot = self._spot(touch.robot, now)
-            mark = (touch.robot, spot, touch.feedback)
-            self._marks["touches"].items.append((now, mark))
+            mark = (spot, touch.feedback)
+            self._marks["touches"].items.append((now, touch.robot, mark))
             cause = touch.cause
             line = (spot, self._spot(cause.robot, cause.decision))
-            self._marks["true"].items.append((now, line))
+            self._marks["true"].items.append((now, None, line))
 
     def believe(self, belief: Belief) -> None:
         """Remembers what a learner believes at this moment."""
@@ -97,7 +97,7 @@ class Events:
         if belief.designated is not None:
             touched = self._spot(belief.robot, self._decision(belief.time))
             meant = self._spot(belief.robot, self._decision(belief.designated.time))
-            self._marks["believed"].items.append((now, (touched, meant)))
+            self._marks["believed"].items.append((now, None, (touched, meant)))
 
     def send(self, stream: Stream) -> None:
         """Writes what came since the last time."""
@@ -126,17 +126,14 @@ class Events:
         import rerun as rr
 
         for name, marks in self._marks.items():
-            decisions, groups = marks.groups(self._first, self._buffer.decision)
-            if not decisions:
-                continue
+            decisions, things, sizes = marks.groups(self._first, self._buffer.decision)
             moments = self._moments(decisions)
             if name == "touches":
-                send_touch_marks(stream, moments, groups)
+                send_touch_marks(stream, moments, things, sizes)
                 continue
-            strips = np.array([item for group in groups for item in group], np.float32)
-            lines = rr.LineStrips2D.columns(strips=strips.reshape(-1, 2, 2))
-            sizes = [len(group) for group in groups]
-            stream.send(f"world/{name}", moments, lines.partition(sizes))
+            lines = np.array(things, np.float32).reshape(-1, 2, 2)
+            drawn = strips(rr.LineStrips2D.descriptor_strips(), lines, sizes)
+            stream.send(f"world/{name}", moments, [drawn])
 
     def _send_touches(self, stream: Stream) -> None:
         import rerun as rr
@@ -149,14 +146,16 @@ class Events:
         at = self._on_lanes(
             [(f.time, t.robot) for f, t in zip(felt, touches, strict=True)]
         )
-        points = rr.Points2D.columns(
-            positions=at,
-            colors=packed([touch_color(f.value) for f in felt]),
+        look = packed([touch_color(f.value) for f in felt])
+        points = (
+            vectors(rr.Points2D.descriptor_positions(), at[:, None]),
+            colors(rr.Points2D.descriptor_colors(), look[:, None]),
         )
         stream.send("credit/past/touches", moments, points)
         meant = self._on_lanes([(cause.time, cause.robot) for cause in causes])
-        true = rr.LineStrips2D.columns(strips=arcs(at, meant, 1.0))
-        stream.send("credit/past/true", moments, true)
+        bows = arcs(at, meant, 1.0)[:, None]
+        true = strips(rr.LineStrips2D.descriptor_strips(), bows)
+        stream.send("credit/past/true", moments, [true])
         text = [self._told(touch) for touch in touches]
         level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
         stream.send("events", moments, rr.TextLog.columns(text=text, level=level))

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from household.people.feedback import Feedback
 from household.replay.colors import CARESS, TAP, packed
+from household.replay.columns import colors, texts, vectors
 from household.replay.scenery import LANE
 from household.replay.stream import Moments, Stream
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 Point = tuple[float, float]
 
 
@@ -22,56 +24,81 @@ class Marks:
 
     Attributes:
         stay: For how many decisions.
-        items: Since which decision, in order, and what.
+        items: Since which decision, in order, in whose place, and what. In one place is
+            what came last; None is a place for everything.
     """
 
     stay: int
-    items: list[tuple[int, Any]] = field(default_factory=list)
+    items: list[tuple[int, str | None, Any]] = field(default_factory=list)
 
-    def groups(self, first: int, last: int) -> tuple[list[int], list[list[Any]]]:
+    def groups(self, first: int, last: int) -> tuple[Indices, list[Any], Indices]:
         """Which things are there at each decision at which that changes.
 
         Args:
             first: First decision asked for; things that are gone before are forgotten.
             last: Last decision asked for.
+
+        Returns:
+            The decisions, the things that are there at one after the other of them, and
+            how many those are at each.
         """
-        changes = {t for at, _ in self.items for t in (at, at + self.stay)}
-        at = sorted(t for t in changes if first <= t <= last)
-        groups, begin, end = [], 0, 0
-        for moment in at:
-            while end < len(self.items) and self.items[end][0] <= moment:
-                end += 1
-            while begin < end and self.items[begin][0] + self.stay <= moment:
-                begin += 1
-            groups.append([item for _, item in self.items[begin:end]])
-        self.items = [(t, item) for t, item in self.items if t + self.stay > last]
-        return at, groups
+        since = np.array([at for at, _, _ in self.items], dtype=np.int64)
+        until = self._until()
+        at = np.unique(np.concatenate([since, until]))
+        at = at[(first <= at) & (at <= last)]
+        begin, end = np.searchsorted(at, since), np.searchsorted(at, until)
+        which = np.repeat(np.arange(len(since)), end - begin)
+        moment = np.concatenate(
+            [np.arange(*span) for span in zip(begin, end, strict=True)] or [begin]
+        )
+        in_order = np.argsort(moment, kind="stable")
+        things = [self.items[i][2] for i in which[in_order].tolist()]
+        self.items = [item for item in self.items if item[0] + self.stay > last]
+        return at, things, np.bincount(moment, minlength=len(at))
+
+    def _until(self) -> Indices:
+        """When each goes, or is taken the place of."""
+        until = [at + self.stay for at, _, _ in self.items]
+        newest: dict[str, int] = {}
+        for i, (at, place, _) in enumerate(self.items):
+            if place is not None:
+                if place in newest:
+                    until[newest[place]] = min(until[newest[place]], at)
+                newest[place] = i
+        return np.array(until, dtype=np.int64)
 
 
 def send_touch_marks(
     stream: Stream,
     moments: Moments,
-    groups: Sequence[Sequence[tuple[str, Point, Feedback]]],
+    marks: Sequence[tuple[Point, Feedback]],
+    sizes: Indices,
 ) -> None:
-    """Dots where robots were touched last; who touched them and how stands above."""
+    """Dots where robots were touched last; who touched them and how stands above.
+
+    Args:
+        stream: Where to.
+        moments: When what is there changes.
+        marks: What is there at one moment after the other.
+        sizes: How many those are at each moment.
+    """
     import rerun as rr
 
-    newest = [
-        {robot: (spot, felt) for robot, spot, felt in group}.values()
-        for group in groups
-    ]
-    marks = [mark for group in newest for mark in group]
-    sizes = [len(group) for group in newest]
+    kind = rr.Points2D
     spots = np.array([spot for spot, _ in marks]).reshape(-1, 2)
-    dots = rr.Points2D.columns(
-        positions=spots, colors=packed([touch_color(felt.value) for _, felt in marks])
+    look = packed([CARESS, TAP])[[int(felt.value <= 0) for _, felt in marks]]
+    dots = (
+        vectors(kind.descriptor_positions(), spots, sizes),
+        colors(kind.descriptor_colors(), look, sizes),
     )
-    stream.send("world/touches", moments, dots.partition(sizes))
-    texts = rr.Points2D.columns(
-        positions=spots + np.array([0.0, 0.5]),
-        labels=[f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks],
+    stream.send("world/touches", moments, dots)
+    told = [f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks]
+    above = spots + np.array([0.0, 0.5])
+    words = (
+        vectors(kind.descriptor_positions(), above, sizes),
+        texts(kind.descriptor_labels(), told, np.arange(len(told)), sizes),
     )
-    stream.send("world/touches/texts", moments, texts.partition(sizes))
+    stream.send("world/touches/texts", moments, words)
 
 
 def arcs(start: Array, end: Array, side: float) -> NDArray[np.float32]:

@@ -116,6 +116,8 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     which = activity + len(Activity) * np.arange(n)
     names = texts(rr.Points2D.descriptor_labels(), _person_labels(scenario), which)
     _send_at(stream, "world/people/names", rows, where, names)
+    tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[activity])
+    _send_at(stream, "world/people/gaze", rows, where, tint)
     where = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
     cones = gaze_cones(
         rows.position[where, :n],
@@ -125,8 +127,7 @@ def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
         scenario.perception.distance,
     )
     outline = strips(rr.LineStrips2D.descriptor_strips(), cones)
-    tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[rows.activity[where]])
-    _send_at(stream, "world/people/gaze", rows, where, outline, tint)
+    _send_at(stream, "world/people/gaze", rows, where, outline)
 
 
 def _person_labels(scenario: Scenario) -> list[str]:

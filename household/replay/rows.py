@@ -115,7 +115,7 @@ class Buffer:
         reward = self._rewards[:count].copy()
         self._rewards[:count] = 0.0
         columns = [self._column(array, count) for array in present(self._life)]
-        told = {
+        told: dict[str, NDArray[Any]] = {
             name: column[:, : shape[0]].astype(kind)
             for (name, (shape, kind)), column in zip(
                 self._layout.items(), (*columns, reward), strict=True

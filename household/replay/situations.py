@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from household.perception.reading import KEPT, SituationReader
 from household.perception.situation import Situation
+from household.replay.columns import texts
 from household.replay.moving import changes
 from household.replay.rows import Rows
 from household.replay.stream import Stream
@@ -42,7 +43,7 @@ class Situations:
         import rerun as rr
 
         looks = self._looks(rows.attends)
-        at, texts = [], []
+        at, told = [], []
         where = changes(rows.activity, looks)
         keys = zip(
             _bytes_of(rows.activity[where]), _bytes_of(looks[where]), strict=True
@@ -51,10 +52,11 @@ class Situations:
             text = self._text(activity, look)
             if text != self._last:
                 self._last = text
-                texts.append(text)
+                told.append(text)
                 at.append(row)
         moments = rows.decision[at], rows.time[at]
-        stream.send("situation", moments, rr.TextDocument.columns(text=texts))
+        kind, each = rr.TextDocument.descriptor_text(), np.arange(len(told))
+        stream.send("situation", moments, [texts(kind, told, each[:, None])])
 
     def _looks(self, attends: Mask) -> Mask:
         """What of the attention situations tell, shape (n_rows, n_views, n_looks).
