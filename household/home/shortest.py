@@ -139,7 +139,11 @@ def _search(
     # are those of the way from the cell, or where aimed, of the whole way through it.
     bucket = np.full(BUCKETS, NOWHERE, np.int32)
     cells, steps, followers = scratch[1:].reshape((3, -1))
-    length = _beeline(goal, start, height) if aimed else 0
+    length = 0
+    if aimed:
+        length = _beeline(
+            goal // height - start // height, goal % height - start % height
+        )
     cells[0], steps[0], followers[0] = goal, HERE, NOWHERE
     away[goal], bucket[length % BUCKETS], entries = 0, 0, 1
     while times * int(away[start]) >= length:
@@ -152,11 +156,15 @@ def _search(
         if onward[cell] != UNKNOWN:
             continue
         onward[cell] = step
+        column = cell // height - start // height
+        row = cell % height - start % height
         for out in range(9):
             there = beyond(cell, out, height)
             reached = away[cell] + (STRAIGHT if out % 2 else DIAGONAL)
             if reached < away[there]:
-                left = _beeline(there, start, height) if aimed else 0
+                left = (
+                    _beeline(column + out // 3 - 1, row + out % 3 - 1) if aimed else 0
+                )
                 k = (reached + left) % BUCKETS
                 cells[entries], steps[entries] = there, 8 - out
                 followers[entries], bucket[k] = bucket[k], entries
@@ -166,8 +174,7 @@ def _search(
 
 
 @compiled
-def _beeline(cell: int, other: int, height: int) -> int:
-    """The least length that a way from one cell to another can have."""
-    columns = abs(cell // height - other // height)
-    rows = abs(cell % height - other % height)
-    return STRAIGHT * max(columns, rows) + (DIAGONAL - STRAIGHT) * min(columns, rows)
+def _beeline(columns: int, rows: int) -> int:
+    """The least length that a way over so many columns and rows can have."""
+    most, least = max(abs(columns), abs(rows)), min(abs(columns), abs(rows))
+    return STRAIGHT * most + (DIAGONAL - STRAIGHT) * least
