@@ -87,7 +87,7 @@ class Recorder:
         if robots.touched:
             self._events.feel(touches(robots))
         if buffer.full or (self._watch and self._is_due()):
-            self.flush()
+            self._write()
 
     def value(self, robot: str, values: NDArray[np.float64]) -> None:
         """Records what a learner expects of each behavior in the present situation.
@@ -104,7 +104,16 @@ class Recorder:
         self._events.believe(belief)
 
     def flush(self) -> None:
-        """Writes everything so far."""
+        """Writes everything so far, and waits until it is written."""
+        self._write()
+        self.wait()
+
+    def wait(self) -> None:
+        """Waits until all that was handed over is written."""
+        self._stream.flush()
+
+    def _write(self) -> None:
+        """Hands over everything so far; Rerun writes it while the episode goes on."""
         rows = self._buffer.take()
         self._events.send(self._stream)
         self._send_values()
@@ -113,7 +122,6 @@ class Recorder:
             self._situations.send(self._stream, rows)
             send_rows(self._stream, self._scenario, rows, self._total)
             self._total = self._total + rows.reward.sum(axis=0)
-        self._stream.flush()
         self._written = time.monotonic()
 
     def close(self) -> None:

@@ -73,6 +73,11 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
                 self._finish()
         return result
 
+    def wait(self) -> None:
+        """Waits for Rerun, which writes while the episode goes on."""
+        if self._recorder is not None:
+            self._recorder.wait()
+
     def close(self) -> None:
         """Closes the file and the environment."""
         self._finish()
