@@ -1,4 +1,4 @@
-"""Walking: from the next waypoint to the velocity of this moment.
+"""Walking: who is where on its way, who has arrived, and who is stuck.
 
 Compiled with Numba for the same reason as the perception kernel: it runs several
 times in each decision, over all pairs of bodies.
@@ -12,9 +12,6 @@ from household.compiled import compiled
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-COMFORT = 0.5
-"""Gap between bodies below which a walker gives way [m] (our choice)."""
 
 PROGRESS = 0.05
 """How much nearer to its waypoint a walker must come not to be stuck [m]."""
@@ -40,134 +37,9 @@ ARRIVED = 0.05
 TOUCH = 0.01
 """Gap between bodies that touch, at most [m]."""
 
-MARGIN = 0.001
-"""Bodies that come this near to each other [m] are left to the engine."""
-
-ATTEMPTS = 3
-"""How often a walker tries to go round everybody who is close, before it waits."""
-
-PUSHY = 1.0
-"""Time without progress after which a walker pushes who stands in its way [s]."""
-
 OVERLAP = 0.003
 """How deep bodies may overlap that nothing presses together [m]; the engine parts them
 ever more slowly."""
-
-
-@compiled
-def steer(
-    position: Array,
-    walking: Mask,
-    stalled: Array,
-    speed: Array,
-    radius: Array,
-    period: float,
-    heading: Array,
-    velocity: Array,
-    points: Array,
-    at: Indices,
-) -> None:
-    """Sets velocities that lead walkers to their waypoints, keeping to the right.
-
-    A walker slows down only to end on its waypoint. Where a body is in its way, it
-    turns to its right in proportion to how near that body is, so that two who meet
-    pass each other. It does not walk into who stands, unless it got no further for a
-    while.
-
-    Args:
-        position: Shape (n, 2) [m].
-        walking: Shape (n,).
-        stalled: Since how long each came no nearer, (n,) [s].
-        speed: Of each that walks, shape (n,) [m/s].
-        radius: Of each body, shape (n,) [m].
-        period: Time until the next steering [s].
-        heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
-            place, where they go.
-        velocity: Set to what each walks with, 0 who stands, shape (n, 2) [m/s].
-        points: From `Ways`, shape (n, most, 2) [m].
-        at: From `Ways`, shape (n,).
-    """
-    velocity[:] = 0.0
-    close = np.empty(len(position), np.intp)
-    for i in range(len(position)):
-        if not walking[i]:
-            continue
-        dx = points[i, at[i], 0] - position[i, 0]
-        dy = points[i, at[i], 1] - position[i, 1]
-        away = np.sqrt(dx * dx + dy * dy)
-        if away < 1e-9:
-            continue
-        dx /= away
-        dy /= away
-        pace, turn = min(speed[i], away / period), 0.0
-        count = _find_close(position, radius, i, close)
-        for j in close[:count]:
-            ox, oy, gap = _gap(position, radius, i, j)
-            if 0.0 < ox * dx + oy * dy < away and gap < COMFORT:
-                turn = max(turn, 1.0 - max(gap, 0.0) / COMFORT)
-        vx = dx + turn * dy
-        vy = dy - turn * dx
-        norm = np.sqrt(vx * vx + vy * vy)
-        velocity[i, 0] = pace * vx / norm
-        velocity[i, 1] = pace * vy / norm
-        if stalled[i] < PUSHY:
-            _give_way(position, walking, radius, period, i, close[:count], velocity[i])
-        heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
-
-
-@compiled
-def _find_close(position: Array, radius: Array, i: int, close: Indices) -> int:
-    """Lists who is close to a body, or nearly so; returns how many that are."""
-    count = 0
-    for j in range(len(position)):
-        near = COMFORT + radius[i] + radius[j]
-        close[count] = j
-        count += (
-            (j != i)
-            & (abs(position[j, 0] - position[i, 0]) <= near)
-            & (abs(position[j, 1] - position[i, 1]) <= near)
-        )
-    return count
-
-
-@compiled
-def _gap(position: Array, radius: Array, i: int, j: int) -> tuple[float, float, float]:
-    """From the middle of one body to that of another, and the gap between them [m]."""
-    ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-    return ox, oy, np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
-
-
-@compiled
-def _give_way(
-    position: Array,
-    walking: Mask,
-    radius: Array,
-    period: float,
-    i: int,
-    close: Indices,
-    velocity: Array,
-) -> None:
-    """Takes from a velocity what would lead into others; who is hemmed in waits.
-
-    Of two walkers each may use half the gap between them.
-    """
-    for _ in range(ATTEMPTS):
-        clear = True
-        for j in close:
-            ox, oy, gap = _gap(position, radius, i, j)
-            away = gap + radius[i] + radius[j]
-            if away < 1e-9:
-                continue
-            ox, oy, left = ox / away, oy / away, gap - 2 * MARGIN
-            most = (left / 2 if walking[j] else left) / period
-            too_fast = ox * velocity[0] + oy * velocity[1] - most
-            if too_fast > 1e-9:
-                velocity[0] -= too_fast * ox
-                velocity[1] -= too_fast * oy
-                clear = False
-        if clear:
-            return
-    velocity[:] = 0.0
 
 
 @compiled

@@ -97,45 +97,6 @@ def _is_clear(
 
 
 @compiled
-def touches(
-    a: Point,
-    b: Point,
-    radius: float,
-    segments: Array,
-    thickness: Array,
-    boxes: Array,
-) -> bool:
-    """Whether a body that goes straight from a to b touches a segment.
-
-    Args:
-        a: [m].
-        b: [m].
-        radius: Of the body [m].
-        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
-        thickness: Half thickness of each segment, shape (m,) [m].
-        boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
-    """
-    if _is_clear(a, b, radius, thickness, boxes):
-        return False
-    box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
-    for k in range(len(segments)):
-        least = radius + thickness[k]
-        if _near(box, least, boxes, k) and (
-            crosses(*a, *b, segments[k]) or _gap(a, b, segments[k]) < least
-        ):
-            return True
-    return False
-
-
-@compiled
-def _gap(a: Point, b: Point, segment: Array) -> float:
-    """Distance between the line from a to b and a segment that it does not cross."""
-    one, other = _ends(segment)
-    ends = min(_away(a, one, other), _away(b, one, other))
-    return min(ends, min(_away(one, a, b), _away(other, a, b)))
-
-
-@compiled
 def _away(point: Point, one: Point, other: Point) -> float:
     """Distance of a point from the line between two others."""
     x, y = _offset(point, one, other)

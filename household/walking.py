@@ -9,8 +9,9 @@ import numpy as np
 
 from household.arrays import Floats, Indices, Mask
 from household.compiled import compiled
-from household.locomotion import MARGIN, follow_up, steer, within_reach
+from household.locomotion import follow_up, within_reach
 from household.solid import keep_out
+from household.steering import MARGIN, steer
 
 
 @compiled
