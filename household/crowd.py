@@ -26,6 +26,7 @@ from household.locomotion import (
     turn_heads,
 )
 from household.records import Point
+from household.steering import PUSHY
 from household.walking import walk_freely
 from household.ways import Ways, set_out
 from household.world import World
@@ -142,6 +143,7 @@ class Crowd:
         self._where = None
         self.walking[:] = False
         self._sidesteps = 0
+        self._nearest[:], self._stalled[:] = np.inf, 0.0
         self._settled[:] = np.nan
         self._pressed = False
 
@@ -274,7 +276,7 @@ class Crowd:
 
     def _try_another_way(self, i: int) -> None:
         """Settles for a place near the goal, or steps aside and plans anew."""
-        self._stalled[i] = 0.0
+        self._stalled[i] = PUSHY  # It goes on to push, until it comes nearer.
         goal = self._ways.goal(i)
         if math.dist(self.where[i], goal) <= CROWDED:
             self.halt(i)

@@ -86,7 +86,9 @@ def follow_up(
             walking[i] = at[i] < count[i]
             nearest[i], stalled[i] = np.inf, 0.0
         elif left < nearest[i] - PROGRESS:
-            nearest[i], stalled[i] = left, 0.0
+            # Whoever only tries another way has not come nearer yet.
+            stalled[i] = 0.0 if nearest[i] < np.inf else stalled[i]
+            nearest[i] = left
         else:
             stalled[i] += period
             stuck |= is_stuck(stalled[i])

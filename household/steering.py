@@ -18,7 +18,7 @@ MARGIN = 0.001
 ATTEMPTS = 3
 """How often a walker tries to go round everybody who is close, before it waits."""
 
-PUSHY = 1.0
+PUSHY = 0.5
 """Time without progress after which a walker pushes who stands in its way [s]."""
 
 

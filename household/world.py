@@ -41,9 +41,8 @@ class World:
     """
 
     def __init__(self, plan: FloorPlan, radius: Array, mass: Array) -> None:
-        self.space = pymunk.Space()
-        self.space.collision_slop = SLOP
-        self._add_home(plan)
+        self._plan, self._traits = plan, list(zip(radius, mass, strict=True))
+        self._build()
         self.solid = plan.solid_segments
         self.boxes = boxes_round(self.solid)
         walls = len(plan.wall_segments)
@@ -56,12 +55,21 @@ class World:
             self.thickness,
             self.boxes,
         )
-        self._bodies = [self._add_body(r, m) for r, m in zip(radius, mass, strict=True)]
         rows = self._batch_rows()
         # The last row is spare: Pymunk would move an array that becomes full elsewhere.
         batch, self._buffer = np.zeros((len(self._bodies) + 2, 4)), Buffer()
         self._buffer.set_float_buf(batch)
         self._place, self.velocity = batch[rows, :2], batch[rows, 2:]
+
+    def _build(self) -> None:
+        """Makes an engine that has seen nothing yet.
+
+        One that has lived remembers contacts, which would go on in the next episode.
+        """
+        self.space = pymunk.Space()
+        self.space.collision_slop = SLOP
+        self._add_home(self._plan)
+        self._bodies = [self._add_body(*traits) for traits in self._traits]
 
     def _add_home(self, plan: FloorPlan) -> None:
         ground = self.space.static_body
@@ -89,11 +97,13 @@ class World:
         return rows
 
     def place(self, position: Array) -> None:
-        """Puts every body somewhere, at rest.
+        """Puts every body somewhere, at rest, in a world without a past.
 
         Args:
             position: Shape (n, 2) [m].
         """
+        self._build()
+        self.velocity[:] = 0.0
         for body, (x, y) in zip(self._bodies, position, strict=True):
             body.position = float(x), float(y)
             body.velocity = 0.0, 0.0
