@@ -79,6 +79,8 @@ class Recorder:
         self._stream.lay_out(_layout(text, learns, live, self._stream.kind))
         self._stream.describe(scenario=text.decode())
         set_scene(self._stream, scenario, learns)
+        # First of all, as nothing can be read of a torn file without it.
+        self._stream.flush()
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""

@@ -11,6 +11,8 @@ from pettingzoo.utils.conversions import parallel_to_aec
 from household import household_v0
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes
+from household.replay.marks import Marks
+from household.replay.moving import bends
 from household.replay.reading import read_replay
 from household.replay.recorder import Recorder
 from household.replay.rows import NAMES
@@ -89,6 +91,30 @@ def test_a_snapshot_does_not_change_with_the_household(busy_home):
     assert not equal(before, snapshot(busy_home))
 
 
+def test_lines_between_the_bends_of_a_course_miss_no_value_by_much():
+    rng = np.random.default_rng(0)
+    course = np.cumsum(rng.normal(0.0, 0.002, (500, 2)), axis=0)
+    course[200:, 0] += 1.0  # A jump is told at both its ends.
+    course[300:400] = course[300]
+    where = bends(course, 0.01)
+    rows = np.arange(len(course))
+    drawn = [np.interp(rows, where, course[where, k]) for k in range(2)]
+    assert np.abs(np.transpose(drawn) - course).max() <= 0.02
+    assert {0, 199, 200, 499} <= set(where.tolist())
+    assert len(where) < 250
+    assert bends(np.zeros((9, 2)), 0.0).tolist() == [0, 8]
+
+
+def test_marks_stay_for_a_while_or_until_another_takes_their_place():
+    marks = Marks(stay=5)
+    marks.items += [(1, "a", "x"), (2, None, "y"), (3, "a", "z"), (20, None, "w")]
+    at, things, sizes = marks.groups(0, 10)
+    groups = np.split(things, np.cumsum(sizes)[:-1])
+    told = dict(zip(at.tolist(), [sorted(g.tolist()) for g in groups], strict=True))
+    assert told == {1: ["x"], 2: ["x", "y"], 3: ["y", "z"], 7: ["z"], 8: []}
+    assert [thing for _, _, thing in marks.items] == ["w"]
+
+
 def test_only_parallel_households_are_recorded(tmp_path):
     with pytest.raises(HouseholdError, match="parallel households"):
         RecordEpisodes(household_v0.env(), tmp_path)
@@ -121,7 +147,7 @@ def test_each_episode_gets_a_file_of_its_own(tmp_path):
     assert [len(read_replay(path)) for path in paths] == [6, 6, 2]
 
 
-def test_what_was_flushed_survives_a_kill(tmp_path):
+def test_what_was_written_survives_a_kill(tmp_path):
     script = f"""
         import os, signal
         from household import household_v0
@@ -131,6 +157,7 @@ def test_what_was_flushed_survives_a_kill(tmp_path):
         env.reset(seed=1)
         for _ in range(120):
             env.step(dict.fromkeys(env.agents, 1))
+        env.wait()
         os.kill(os.getpid(), signal.SIGKILL)
     """
     done = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], check=False)

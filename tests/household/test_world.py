@@ -16,9 +16,17 @@ from household.home.routes import (
     distance_to_segments,
     routes_of,
 )
+from household.home.shortest import (
+    DIAGONAL,
+    HERE,
+    STRAIGHT,
+    beyond,
+    onward_to,
+)
 from household.home.straight import find_way
 from household.records import shipped
 from household.solid import keep_out
+from household.steering import PUSHY
 from household.world import World
 
 HOMES = tuple(shipped("home/homes"))
@@ -236,6 +244,30 @@ def test_who_walks_does_not_move_who_stands_but_goes_round(room, crowd_in):
     assert 0.5 < aside < 0.8
 
 
+def test_two_who_meet_pass_without_touching_and_without_the_engine(
+    room, crowd_in, monkeypatch
+):
+    crowd = crowd_in(room(), [(1.0, 2.5), (7.0, 2.5)])
+    engine = Asked(crowd, monkeypatch)
+    arrived, track = walk(crowd, [(7.0, 2.5), (1.0, 2.5)], 12.0)
+    assert sorted(arrived) == [0, 1]
+    assert np.linalg.norm(track[:, 0] - track[:, 1], axis=1).min() >= 2 * PERSON
+    assert engine.times == 0
+
+
+def test_who_is_hemmed_in_waits_looks_where_it_did_and_then_pushes(room, crowd_in):
+    crowd = crowd_in(room(), [(4.0, 2.5), *CLOSE])
+    crowd.heading[:] = 0.5
+    assert crowd.send(0, (7.0, 2.5), 0.0)
+    moved = []
+    for _ in range(10):
+        crowd.advance()
+        moved.append(np.abs(crowd.position[1:] - CLOSE).max())
+    waits = round(PUSHY / 0.2)
+    assert moved[waits - 1] == 0.0
+    assert moved[-1] > 0.0
+
+
 def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in):
     """To the last bit, period by period, with two who pass each other."""
     tracks = []
@@ -277,6 +309,28 @@ def test_who_is_after_somebody_stops_to_look_within_reach(room, crowd_in):
     crowd.halt(0)
     assert crowd.advance(100, after, 0.8) == 1
     assert crowd.advance(100) == 100
+
+
+@pytest.mark.parametrize("home", HOMES)
+def test_a_way_that_is_not_kept_is_as_short_as_one_that_is(home):
+    routes = Routes(load_floorplan(home))
+    free, _, _, scratch, kept_at, kept, n_kept = routes.arrays
+    height = free.shape[1]
+
+    def length_of(goal, start, keep):
+        onward = onward_to(height, scratch, kept_at, kept, n_kept, goal, start, keep)
+        total, here = 0, start
+        while onward[here] != HERE:
+            total += STRAIGHT if onward[here] % 2 else DIAGONAL
+            here = beyond(here, onward[here], height)
+        return total
+
+    rng = np.random.default_rng(0)
+    indoors = np.flatnonzero(routes.free & (routes.parts != routes.parts[0, 0]))
+    label = routes.parts.ravel()
+    for goal, start in rng.choice(indoors, size=(100, 2)).tolist():
+        if goal != start and label[goal] == label[start]:
+            assert length_of(goal, start, False) == length_of(goal, start, True)
 
 
 def length(start, way):
