@@ -91,14 +91,14 @@ def recording(settings: Settings) -> Iterator[Measure]:
     clock, processor = zip(*rounds[1:], strict=True)
     yield Measure(
         part="recording",
-        name="recorded step / plain step, by the clock",
+        name="recorded step / plain step",
         unit="x",
         values=clock,
         at_most=1.2,
     )
     yield Measure(
         part="recording",
-        name="the same, processor's time of all threads",
+        name="the same, with other threads",
         unit="x",
         values=processor,
     )
