@@ -22,9 +22,10 @@ NOBODY = -1
 class Zeros(Protocol):
     """Makes an array of zeros, as `numpy.zeros` does."""
 
-    def __call__(  # noqa: D102
+    def __call__(
         self, shape: tuple[int, ...], dtype: DTypeLike = ..., /
-    ) -> NDArray[Any]: ...
+    ) -> NDArray[Any]:
+        """Makes it; of double precision, unless told otherwise."""
 
 
 class SideBySide:
@@ -46,7 +47,11 @@ class SideBySide:
     def zeros(
         self, shape: tuple[int, ...], dtype: DTypeLike = np.float64, /
     ) -> NDArray[Any]:
-        """Makes an array of zeros beside those that are there."""
+        """Makes an array of zeros beside those that are there.
+
+        Raises:
+            ValueError: If there is no room for it.
+        """
         kind = np.dtype(dtype)
         begin, size = self._used, math.prod(shape) * kind.itemsize
         self._used += -(-size // ALIGNED) * ALIGNED

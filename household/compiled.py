@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import ParamSpec, TypeVar, cast
+from typing import Final, ParamSpec, TypeVar, cast
 
 from numba import njit
 
@@ -12,6 +12,10 @@ R = TypeVar("R")
 
 PACKAGES = Path(__file__).parent, Path(__file__).parent.parent / "policies"
 """Where there are compiled functions, which call each other."""
+
+RULES: Final = "numpy"
+"""For divisions; Python's own check for zeros, which keeps loops from running several
+at a time."""
 
 
 def forget_outdated(packages: Sequence[Path]) -> None:
@@ -40,6 +44,6 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
     home can be written; then every process compiles for itself.
     """
     try:
-        return cast("Callable[P, R]", njit(cache=True, error_model="numpy")(function))
+        return cast("Callable[P, R]", njit(cache=True, error_model=RULES)(function))
     except RuntimeError:
-        return cast("Callable[P, R]", njit(function))
+        return cast("Callable[P, R]", njit(error_model=RULES)(function))

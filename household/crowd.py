@@ -7,7 +7,7 @@ along them and turns heads; it knows nothing of why anyone goes anywhere.
 import math
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,14 +47,26 @@ NO_QUARRY: Indices = np.zeros(0, np.intp)
 """Nobody is after anybody."""
 
 
+class Build(NamedTuple):
+    """What bodies are like.
+
+    Attributes:
+        radius: Of each, shape (n,) [m].
+        mass: Of each, shape (n,) [kg].
+        speed: Of each when it walks, shape (n,) [m/s].
+    """
+
+    radius: Array
+    mass: Array
+    speed: Array
+
+
 class Crowd:
     """Bodies on the move.
 
     Args:
         plan: The home.
-        radius: Of each body, shape (n,) [m].
-        mass: Of each body, shape (n,) [kg].
-        speed: Of each body when it walks, shape (n,) [m/s].
+        build: What the bodies are like.
         steering_period: Time between looks at where everybody walks [s].
         physics_period: Length of a physics tick [s].
         zeros: Makes the arrays that others see: `position`, `heading` and `gaze`.
@@ -69,16 +81,15 @@ class Crowd:
         walk_began: When each began the walk that it is on, or was on last, (n,) [s].
     """
 
-    def __init__(  # noqa: PLR0913, PLR0917 - one array for each trait of bodies
+    def __init__(
         self,
         plan: FloorPlan,
-        radius: Array,
-        mass: Array,
-        speed: Array,
+        build: Build,
         steering_period: float,
         physics_period: float,
         zeros: Zeros = np.zeros,
     ) -> None:
+        radius, mass, speed = build
         n = len(radius)
         self._world = world = World(plan, radius, mass)
         self._routes = routes_of(plan)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import SideBySide
-from household.crowd import Crowd
+from household.crowd import Build, Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
 from household.people.feelings import misread
@@ -81,10 +81,12 @@ class Life:
         self._n_people = n_people
         self.crowd = Crowd(
             scenario.plan,
-            radius=np.array([PERSON_RADIUS] * n_people + [ROBOT_RADIUS] * n_robots),
-            mass=np.array([PERSON_MASS] * n_people + [ROBOT_MASS] * n_robots),
-            speed=np.array(
-                [p.walking_speed for p in personas] + [ROBOT_SPEED] * n_robots
+            build=Build(
+                np.array([PERSON_RADIUS] * n_people + [ROBOT_RADIUS] * n_robots),
+                np.array([PERSON_MASS] * n_people + [ROBOT_MASS] * n_robots),
+                np.array(
+                    [p.walking_speed for p in personas] + [ROBOT_SPEED] * n_robots
+                ),
             ),
             steering_period=scenario.steering_period,
             physics_period=scenario.physics_period,

@@ -76,7 +76,7 @@ class Situations:
             self._sights(looks[view * width : (view + 1) * width], view)
             for view in range(self._views)
         ]
-        told = [f"{roles}, {sights}" if sights else roles for sights in told]
+        told = [", ".join(filter(None, (roles, sights))) for sights in told]
         if told.count(told[0]) == len(told):
             return told[0]
         pairs = zip(self._robots, told, strict=True)

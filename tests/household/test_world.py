@@ -8,7 +8,7 @@ import pytest
 
 from household import household_v0
 from household.arrays import NOBODY
-from household.crowd import Crowd
+from household.crowd import Build, Crowd
 from household.home.floorplan import Door, Furniture, load_floorplan
 from household.home.routes import (
     Routes,
@@ -38,6 +38,10 @@ def people(n):
     return np.full(n, PERSON), np.full(n, 70.0)
 
 
+def walkers(n, speed=1.2):
+    return Build(*people(n), np.full(n, speed))
+
+
 def deepest(plan, position, radius):
     """How far bodies overlap walls and furniture [m]; negative: clear of all."""
     gap = distance_to_segments(position, plan.wall_segments).min(axis=1)
@@ -52,7 +56,7 @@ def deepest(plan, position, radius):
 def crowd_in():
     def make(plan, position, speed=1.2):
         n = len(position)
-        crowd = Crowd(plan, *people(n), np.full(n, speed), 0.2, 0.1)
+        crowd = Crowd(plan, walkers(n, speed), 0.2, 0.1)
         crowd.place(np.array(position, dtype=float), np.zeros(n))
         return crowd
 
@@ -255,17 +259,20 @@ def test_two_who_meet_pass_without_touching_and_without_the_engine(
     assert engine.times == 0
 
 
-def test_who_is_hemmed_in_waits_looks_where_it_did_and_then_pushes(room, crowd_in):
+def test_who_is_hemmed_in_waits_without_turning_and_then_pushes(room, crowd_in):
     crowd = crowd_in(room(), [(4.0, 2.5), *CLOSE])
-    crowd.heading[:] = 0.5
     assert crowd.send(0, (7.0, 2.5), 0.0)
-    moved = []
+    here, ahead, moved = [], [], []
     for _ in range(10):
         crowd.advance()
+        here.append(tuple(crowd.position[0]))
+        ahead.append(float(crowd.heading[0]))
         moved.append(np.abs(crowd.position[1:] - CLOSE).max())
-    waits = round(PUSHY / 0.2)
-    assert moved[waits - 1] == 0.0
+    assert moved[round(PUSHY / 0.2)] == 0.0
     assert moved[-1] > 0.0
+    waits = [k for k in range(1, 10) if here[k] == here[k - 1]]
+    assert waits
+    assert all(ahead[k] == ahead[k - 1] != 0.0 for k in waits)
 
 
 def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in):
@@ -537,7 +544,7 @@ def test_ways_with_many_turns_make_room_for_themselves(room, crowd_in):
 
 def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     radius, mass = np.full(2, PERSON), np.array([70.0, 1e6])
-    crowd = Crowd(room(), radius, mass, np.full(2, 1.2), 0.2, 0.1)
+    crowd = Crowd(room(), Build(radius, mass, np.full(2, 1.2)), 0.2, 0.1)
     crowd.place(np.array([(1.0, 2.5), (4.0, 2.5)]), np.zeros(2))
     assert crowd.send(0, (4.0, 2.5), 0.0)
     for _ in range(100):
