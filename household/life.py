@@ -18,7 +18,7 @@ from household.people.feedback import Feedback
 from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import REACH, MakeMinds, People
-from household.perception.senses import Senses
+from household.perception.senses import Beings, Senses
 from household.robots.motion import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario import MOST_PEOPLE, Scenario
@@ -106,8 +106,7 @@ class Life:
         self._source = np.zeros(n_people + n_robots)
         self._moments = round(scenario.decision_period / scenario.steering_period)
         # What is perceived is always in the same arrays.
-        self._sense = partial(
-            self.senses.perceive,
+        self._beings = Beings(
             self.crowd.position,
             self.crowd.gaze,
             self.half_view,
@@ -223,7 +222,7 @@ class Life:
         since = self.time - self._scenario.decision_period
         changed = self.people.show(self.crowd.position, self.half_view)
         self.robots.show(since, self.time, self._salience, self._source)
-        changed |= self._sense(self.time)
+        changed |= self.senses.perceive(self._beings, self.time)
         self.scene += changed
         self._misread(next(self._noise))
 

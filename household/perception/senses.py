@@ -1,6 +1,7 @@
 """Senses: who sees, hears and attends to whom at this moment."""
 
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,26 @@ from household.scenario import PerceptionModel
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+
+
+class Beings(NamedTuple):
+    """Everybody, as all others perceive it and as it perceives them.
+
+    Attributes:
+        position: Shape (n, 2) [m].
+        gaze: Where each head points, shape (n,) [rad].
+        half_view: Half the field of view, (n,) [rad]; negative: eyes closed.
+        salience: How strongly each draws the eye, shape (n,).
+        absorption: What each one's activity holds back, shape (n,).
+        source: Sound level of each at 1 m, shape (n,) [dB].
+    """
+
+    position: Array
+    gaze: Array
+    half_view: Array
+    salience: Array
+    absorption: Array
+    source: Array
 
 
 class Senses:
@@ -87,30 +108,14 @@ class Senses:
         self.attention[:] = self.level[:] = 0.0
         self.attention_began[:] = np.nan
 
-    def perceive(  # noqa: PLR0913, PLR0917 - one array for each thing perceived
-        self,
-        position: Array,
-        gaze: Array,
-        half_view: Array,
-        salience: Array,
-        absorption: Array,
-        source: Array,
-        now: float,
-    ) -> bool:
+    def perceive(self, beings: Beings, now: float) -> bool:
         """Perceives this moment.
 
         Args:
-            position: Shape (n, 2) [m].
-            gaze: Where each head points, shape (n,) [rad].
-            half_view: Half the field of view, (n,) [rad]; negative: eyes closed.
-            salience: How strongly each draws the eye, shape (n,).
-            absorption: What each one's activity holds back, shape (n,).
-            source: Sound level of each at 1 m, shape (n,) [dB].
+            beings: Everybody.
             now: [s].
 
         Returns:
             Whether anybody attends to others than before.
         """
-        return self._perceive(
-            position, gaze, half_view, salience, absorption, source, now
-        )
+        return self._perceive(*beings, now)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from household import household_v0
 from household.home.floorplan import Door, Furniture, Region
 from household.perception import kernel
-from household.perception.senses import Senses
+from household.perception.senses import Beings, Senses
 from household.scenario import PerceptionModel, PersonSpec, RobotSpec, ScriptStep
 
 CLOSED = -1.0
@@ -32,10 +32,9 @@ def sensing(room):
             "salience": np.ones(n),
             "absorption": np.full(n, 0.3),
             "source": np.zeros(n),
-            "now": now,
         }
         arrays = {k: np.array(v, dtype=float) for k, v in changes.items()}
-        senses.perceive(**(usual | arrays))
+        senses.perceive(Beings(**(usual | arrays)), now)
         return senses
 
     return perceive

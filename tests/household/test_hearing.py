@@ -8,7 +8,7 @@ import pytest
 from household import household_v0
 from household.home.floorplan import Door, FloorPlan, Region, Wall
 from household.perception import kernel
-from household.perception.senses import Senses
+from household.perception.senses import Beings, Senses
 from household.scenario import PerceptionModel, PersonSpec, RobotSpec, ScriptStep
 
 NO_WALLS = np.zeros((0, 4))
@@ -68,15 +68,15 @@ def test_what_is_heard_is_the_source_less_the_loss_and_never_below_silence(room)
     senses = Senses(plan, PerceptionModel(wall_loss=25.0), 2)
     levels = {}
     for source in (85.0, 30.0):
-        senses.perceive(
+        beings = Beings(
             position=np.array([[2.0, 2.0], [6.0, 2.0]]),
             gaze=np.zeros(2),
             half_view=np.full(2, -1.0),
             salience=np.ones(2),
             absorption=np.ones(2),
             source=np.array([0.0, source]),
-            now=0.0,
         )
+        senses.perceive(beings, now=0.0)
         levels[source] = senses.level[0].tolist()
     # 4 m and a wall: 12.04 + 25 dB; who is asleep hears all the same.
     assert levels[85.0] == pytest.approx([0.0, 47.96], abs=0.005)
