@@ -20,7 +20,7 @@ import polars as pl
 from experiments import measures
 from experiments.claims import Finding
 from experiments.drawing import Drawn, draw, stored_study
-from experiments.engine import open_engine
+from experiments.engine import ctrl_c_held_back, open_engine, result_of
 from experiments.errors import ExperimentError
 from experiments.evaluation import Evaluation, evaluate
 from experiments.paper import EXPERIMENTS, Experiment
@@ -109,11 +109,13 @@ def _reproduced(experiments: Sequence[Experiment], out: Path) -> tuple[Reproduce
     """Analyzes experiments here, while other processes draw their figures."""
     executor = open_engine().open()
     try:
-        drawn = [executor.submit(draw, each.number, out) for each in experiments]
+        with ctrl_c_held_back():
+            drawn = [executor.submit(draw, each.number, out) for each in experiments]
         pairs = zip(experiments, drawn, strict=True)
         return tuple(_analyze(each, out, figures) for each, figures in pairs)
     finally:
-        executor.shutdown(cancel_futures=True)
+        with ctrl_c_held_back():
+            executor.shutdown(cancel_futures=True)
 
 
 def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
@@ -162,7 +164,7 @@ def _analyze(
             experiment.scenes,
             experiment.further,
         ),
-        drawn=drawn.result(),
+        drawn=result_of(drawn),
         tables=tuple(make(frame) for make in experiment.tables),
         typical_seed=typical,
         replay=replay,

@@ -2,5 +2,13 @@
 
 from experiments.engine.driver import Outcome, run_trials
 from experiments.engine.engines import Engine, open_engine
+from experiments.engine.interrupts import ctrl_c_held_back, result_of
 
-__all__ = ["Engine", "Outcome", "open_engine", "run_trials"]
+__all__ = [
+    "Engine",
+    "Outcome",
+    "ctrl_c_held_back",
+    "open_engine",
+    "result_of",
+    "run_trials",
+]

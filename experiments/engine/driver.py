@@ -10,22 +10,19 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
 from itertools import islice
 from typing import Generic, TypeVar
 
 from experiments.engine.engines import Engine
+from experiments.engine.interrupts import Finished, ctrl_c_held_back
 
 T = TypeVar("T")
 R = TypeVar("R")
 
 MAX_ATTEMPTS = 3
 """How often a trial that kills its worker is tried in all (our choice)."""
-
-AWAKE = 0.5
-"""How long to wait at a stretch [s]. The system may hand Ctrl-C to any thread; the main
-thread notices only when it wakes up."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +66,7 @@ def run_trials(
         while loop.fill():
             yield from loop.collect()
     finally:
-        loop.executor.shutdown(wait=False, cancel_futures=True)
+        loop.close()
 
 
 class _Loop(Generic[T, R]):
@@ -83,7 +80,8 @@ class _Loop(Generic[T, R]):
         self._waiting = (_Attempt(trial) for trial in trials)
         self._suspects: deque[_Attempt[T]] = deque()
         self._live: dict[Future[R], _Attempt[T]] = {}
-        self.executor: Executor = engine.open()
+        self._finished = Finished()
+        self._executor: Executor = engine.open()
 
     def fill(self) -> bool:
         """Hands out trials up to the window; False once nothing is left to do."""
@@ -97,24 +95,30 @@ class _Loop(Generic[T, R]):
         return bool(self._live)
 
     def _submit(self, attempt: _Attempt[T]) -> None:
-        try:
-            future = self.executor.submit(self._run, attempt.trial)
-        except BrokenExecutor:  # an idle worker died: nothing in flight is to blame
-            self._reopen()
-            future = self.executor.submit(self._run, attempt.trial)
+        with ctrl_c_held_back():
+            try:
+                future = self._executor.submit(self._run, attempt.trial)
+            except BrokenExecutor:  # an idle worker died: nothing in flight is to blame
+                self._reopen()
+                future = self._executor.submit(self._run, attempt.trial)
         self._live[future] = attempt
+        self._finished.watch(future)
 
     def _reopen(self) -> None:
-        self.executor.shutdown(wait=False, cancel_futures=True)
-        self.executor = self._engine.open()
+        self.close()
+        self._executor = self._engine.open()
+
+    def close(self) -> None:
+        """Ends what still runs."""
+        with ctrl_c_held_back():
+            self._executor.shutdown(wait=False, cancel_futures=True)
 
     def collect(self) -> Iterator[Outcome[T, R]]:
         """Waits for a trial to finish and yields what has finished."""
-        done: set[Future[R]] = set()
-        while not done:
-            done, _ = wait(self._live, AWAKE, FIRST_COMPLETED)
-        if any(isinstance(_error(future), BrokenExecutor) for future in done):
-            done, _ = wait(self._live)  # a broken pool ends every trial in flight
+        done = [self._finished.get()]
+        if isinstance(_error(done[0]), BrokenExecutor):
+            # A broken pool ends every trial in flight.
+            done += [self._finished.get() for _ in range(len(self._live) - 1)]
             self._reopen()
         for future in done:
             attempt = self._live.pop(future)

@@ -41,12 +41,31 @@ class LocalExecutor(ProcessPoolExecutor):
 
 def local_executor(workers: int) -> Executor:
     """Returns a pool of `workers` fresh processes (never forks of this one)."""
-    method = "spawn" if sys.platform == "win32" else "forkserver"
+    if sys.platform == "win32":
+        method = "spawn"
+    else:
+        method = "forkserver"
+        _start_server()
     return LocalExecutor(
         workers,
         mp_context=multiprocessing.get_context(method),
         initializer=_start_worker,
     )
+
+
+def _start_server() -> None:
+    """Starts what forks the workers, deaf to Ctrl-C from its first instruction on.
+
+    Workers inherit that: `_start_worker` comes only after all their imports.
+    """
+    from multiprocessing import forkserver, resource_tracker  # not on Windows
+
+    resource_tracker.ensure_running()  # started below, it would end the deafness
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        forkserver.ensure_running()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _start_worker() -> None:

@@ -1,6 +1,8 @@
 """Shared helpers: programs to kill, a toy home, hand-written tables."""
 
+import contextlib
 import os
+import signal
 import subprocess
 import sys
 import textwrap
@@ -20,11 +22,12 @@ from policies.learning import LearningRobot, run_episode
 @pytest.fixture
 def program(tmp_path):
     """Returns a function that starts a Python script in a process group of its own."""
+    started = []
 
     def start(source, *arguments):
         script = tmp_path / "script.py"
         script.write_text(textwrap.dedent(source))
-        return subprocess.Popen(
+        process = subprocess.Popen(
             [sys.executable, str(script), *map(str, arguments)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -32,8 +35,13 @@ def program(tmp_path):
             text=True,
             start_new_session=True,
         )
+        started.append(process)
+        return process
 
-    return start
+    yield start
+    for process in started:  # a test that failed may have left it running
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
 
 
 @pytest.fixture

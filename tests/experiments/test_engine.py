@@ -24,6 +24,48 @@ PROGRAM = """
             print(outcome.value, flush=True)
 """
 
+INTERRUPTED_INSIDE = """
+    import signal, sys, time
+    from threading import Condition
+    from experiments.engine import open_engine, run_trials
+
+    at, seen = int(sys.argv[1]), 0
+
+    def trial(number):
+        if number >= 4:
+            time.sleep(600)
+        return number
+
+    def interrupt(frame, event, _):
+        global seen
+        if event == "return" and frame.f_code is Condition.__enter__.__code__:
+            seen += 1
+            if seen == at:
+                sys.setprofile(None)
+                print("interrupted", flush=True)
+                signal.raise_signal(signal.SIGINT)
+
+    if __name__ == "__main__":
+        for outcome in run_trials(trial, range(40), open_engine("local", 2)):
+            if outcome.value == 3:
+                sys.setprofile(interrupt)
+"""
+
+SLOW_TO_START = """
+    import os, time
+    from experiments.engine import open_engine, run_trials
+
+    def trial(number):
+        return number
+
+    if __name__ == "__main__":
+        for outcome in run_trials(trial, range(2), open_engine("local", 1)):
+            print(outcome.value, flush=True)
+    else:
+        print(os.getpid(), flush=True)
+        time.sleep(1)
+"""
+
 CRASHES = """
     import os, sys
     from pathlib import Path
@@ -154,6 +196,23 @@ def test_ctrl_c_in_a_terminal_reaches_the_whole_group_and_prints_one_traceback(
     _, err = process.communicate(timeout=30)
     assert group_is_empty(process.pid)
     assert err.count("KeyboardInterrupt") == 1
+
+
+def test_a_worker_leaves_ctrl_c_to_its_parent_from_the_start(program):
+    process = program(SLOW_TO_START)
+    os.kill(int(process.stdout.readline()), signal.SIGINT)
+    assert process.communicate(timeout=30) == ("0\n1\n", "")
+
+
+@pytest.mark.parametrize("at", [1, 2, 3])
+def test_ctrl_c_just_after_a_lock_was_taken_does_not_leave_it_locked(
+    program, group_is_empty, at
+):
+    process = program(INTERRUPTED_INSIDE, at)
+    out, err = process.communicate(timeout=30)
+    assert out == "interrupted\n"
+    assert err.count("KeyboardInterrupt") == 1
+    assert group_is_empty(process.pid)
 
 
 @pytest.mark.parametrize(
