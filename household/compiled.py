@@ -2,13 +2,21 @@
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
-from typing import Final, ParamSpec, TypeVar, cast
+from typing import Any, Final, ParamSpec, TypeVar, cast
 
-from numba import njit
+from numba import boolean, float32, float64, intp, njit
+from numba import typeof as kind_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
+
+FLOAT, INDEX, TRUTH = float64, intp, boolean
+FLOATS, INDICES, MASK = float64[:], intp[:], boolean[:]
+FLOATS_2D, INDICES_2D, MASK_2D = float64[:, :], intp[:, :], boolean[:, :]
+FLOATS_3D, SINGLES_2D = float64[:, :, :], float32[:, :]
+"""Kinds of arguments, for `specialized`; of arrays, those with gaps, too."""
 
 PACKAGES = Path(__file__).parent, Path(__file__).parent.parent / "policies"
 """Where there are compiled functions, which call each other."""
@@ -47,3 +55,23 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
         return cast("Callable[P, R]", njit(cache=True, error_model=RULES)(function))
     except RuntimeError:
         return cast("Callable[P, R]", njit(error_model=RULES)(function))
+
+
+def specialized(
+    function: Callable[..., R], *first: object, then: Sequence[Any] = ()
+) -> Callable[..., R]:
+    """Fixes the first arguments of a compiled function, and the kinds of the others.
+
+    Numba finds out at each call of what kind every argument is, and that takes as long
+    as many of our loops do. Here it finds out once, so that only arrays of our own may
+    be handed over: nobody checks any more whether they hold what they should.
+
+    Args:
+        function: From `compiled`.
+        first: The same at every call.
+        then: Kinds of all that follow.
+    """
+    compile_for = getattr(function, "compile", None)
+    if compile_for is None:  # NUMBA_DISABLE_JIT
+        return partial(function, *first)
+    return partial(compile_for((*map(kind_of, first), *then)), *first)

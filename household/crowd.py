@@ -13,16 +13,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import NOBODY, Indices, Mask, Zeros
+from household.compiled import (
+    FLOAT,
+    FLOATS_2D,
+    FLOATS_3D,
+    INDEX,
+    INDICES,
+    MASK,
+    TRUTH,
+    specialized,
+)
 from household.home.floorplan import FloorPlan
 from household.home.routes import routes_of
 from household.locomotion import (
     CROWDED,
+    STUCK,
     are_pressed,
     arrived,
     astray,
     follow_up,
     is_bound_for,
-    is_stuck,
     turn_heads,
 )
 from household.records import Point
@@ -114,8 +124,9 @@ class Crowd:
         bodies = self.position, self.walking
         progress = self._nearest, self._stalled
         walks = *bodies, *progress, self._settled, self.walk_began
-        self._are_pressed = partial(are_pressed, *bodies, radius)
-        self._follow_up = partial(
+        ways = FLOATS_3D, INDICES, INDICES
+        self._are_pressed = specialized(are_pressed, *bodies, radius)
+        self._follow_up = specialized(
             follow_up,
             self.walking,
             *progress,
@@ -123,8 +134,9 @@ class Crowd:
             radius,
             steering_period,
             self.position,
+            then=ways,
         )
-        self._walk_freely = partial(
+        self._walk_freely = specialized(
             walk_freely,
             self.position,
             world.velocity,
@@ -139,12 +151,33 @@ class Crowd:
             world.boxes,
             self._ticks,
             self._tick,
+            then=(*ways, INDICES, FLOAT, INDEX, TRUTH),
         )
-        self._set_out = partial(set_out, *self._routes.arrays, *walks, self._lost)
+        self._set_out = specialized(
+            set_out,
+            *self._routes.arrays,
+            *walks,
+            self._lost,
+            then=(*ways, FLOATS_2D, INDICES, FLOAT, TRUTH),
+        )
+        self._arrived = specialized(
+            arrived, *bodies, self._settled, then=(FLOATS_2D, MASK)
+        )
+        self._is_bound_for = specialized(
+            is_bound_for,
+            *bodies,
+            self._settled,
+            then=(FLOATS_3D, INDICES, INDEX, FLOAT, FLOAT),
+        )
+        self._astray = specialized(
+            astray,
+            *bodies,
+            self._settled,
+            self._lost,
+            then=(FLOATS_3D, INDICES, FLOATS_2D, INDICES),
+        )
+        # Looks come from minds, which anybody may write: not `specialized`.
         self._turn_heads = partial(turn_heads, self.gaze, self.heading, *bodies)
-        self._arrived = partial(arrived, *bodies, self._settled)
-        self._is_bound_for = partial(is_bound_for, *bodies, self._settled)
-        self._astray = partial(astray, *bodies, self._settled, self._lost)
 
     def place(self, position: Array, heading: Array) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
@@ -281,9 +314,8 @@ class Crowd:
 
     def _free_the_stuck(self) -> None:
         """Who is stuck tries another way."""
-        for i, stalled in enumerate(self._stalled.tolist()):
-            if self.walks(i) and is_stuck(stalled):
-                self._try_another_way(i)
+        for i in (self.walking & (self._stalled >= STUCK)).nonzero()[0].tolist():
+            self._try_another_way(i)
 
     def _try_another_way(self, i: int) -> None:
         """Settles for a place near the goal, or steps aside and plans anew."""

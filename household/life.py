@@ -6,12 +6,12 @@ rewards. The environment steps it, and evaluators and replays look at it.
 
 import math
 from collections.abc import Mapping
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import SideBySide
+from household.compiled import FLOATS_2D, specialized
 from household.crowd import Build, Crowd
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feedback import Feedback
@@ -115,7 +115,7 @@ class Life:
             self._source,
         )
         noise, mood = scenario.perception.mood_noise, self.people.feelings.mood
-        self._misread = partial(misread, mood, noise, self.moods)
+        self._misread = specialized(misread, mood, noise, self.moods, then=[FLOATS_2D])
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         self.view = self._view()
 

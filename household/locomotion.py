@@ -91,7 +91,7 @@ def follow_up(
             nearest[i] = left
         else:
             stalled[i] += period
-            stuck |= is_stuck(stalled[i])
+            stuck |= stalled[i] >= STUCK
             goal = points[i, count[i] - 1]
             if _is_taken(position, walking, radius, i, goal):
                 walking[i], stalled[i] = False, 0.0
@@ -136,12 +136,6 @@ def _is_taken(
         ):
             return True
     return False
-
-
-@compiled
-def is_stuck(stalled: float) -> bool:
-    """Whether a walker that came no nearer for so long [s] should try another way."""
-    return stalled >= STUCK
 
 
 @compiled

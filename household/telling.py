@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import Activity
-from household.compiled import compiled
+from household.compiled import (
+    FLOATS,
+    FLOATS_2D,
+    INDICES,
+    MASK,
+    MASK_2D,
+    compiled,
+)
 
 Array = NDArray[np.float64]
 Row = NDArray[np.float32]
@@ -55,6 +62,13 @@ class View(NamedTuple):
     behavior: NDArray[np.intp]
     left: Array
     touches: Array
+
+
+VIEW = (
+    *(FLOATS_2D, FLOATS_2D, MASK_2D, FLOATS_2D),
+    *(MASK, INDICES, FLOATS_2D, INDICES, FLOATS, FLOATS_2D),
+)
+"""What `View` holds, for `specialized`."""
 
 
 @compiled
@@ -105,9 +119,9 @@ def _tell_of_robot(
 
 @compiled
 def tell_features(
-    rows: NDArray[np.float32],
     places: NDArray[np.void],
     n_behaviors: int,
+    rows: NDArray[np.float32],
     position: Array,
     facing: Array,
     attends: Mask,
@@ -122,9 +136,9 @@ def tell_features(
     """Writes every robot's observation into its row.
 
     Args:
-        rows: Shape (n_robots, length), holding zeros.
         places: Where each field begins, by its name, shape (1,).
         n_behaviors: How many behaviors the robots can choose.
+        rows: Shape (n_robots, length), holding zeros.
         position: As in `View`, like all that follow.
         facing: Shape (n, n).
         attends: Shape (n, n).

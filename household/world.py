@@ -5,13 +5,12 @@ steered by velocities and push each other. (Kinematic bodies would walk through
 walls.) There is no gravity and no friction: the floor is seen from above.
 """
 
-from functools import partial
-
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
 from pymunk.batch import BodyFields, Buffer, get_space_bodies, set_space_bodies
 
+from household.compiled import FLOATS_2D, specialized
 from household.home.floorplan import FloorPlan
 from household.solid import boxes_round, keep_out
 
@@ -48,12 +47,13 @@ class World:
         walls = len(plan.wall_segments)
         self.thickness = np.zeros(len(self.solid))
         self.thickness[:walls] = plan.wall_thickness / 2
-        self._keep_out = partial(
+        self._keep_out = specialized(
             keep_out,
             np.asarray(radius, dtype=np.float64),
             self.solid,
             self.thickness,
             self.boxes,
+            then=(FLOATS_2D, FLOATS_2D),
         )
         rows = self._batch_rows()
         # The last row is spare: Pymunk would move an array that becomes full elsewhere.

@@ -22,6 +22,9 @@ RegionActivity = Literal[
     "working", "reading", "sleeping", "playing", "entering", "calling"
 ]
 
+ON_THE_LINE = 1e-9
+"""A point lies on a line if it makes a parallelogram of this area with it [m2]."""
+
 
 class Wall(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "to"}):
     """A straight wall from one point to another [m]."""
@@ -152,8 +155,30 @@ class FloorPlan(Record, frozen=True, kw_only=True):
     @property
     def opaque_segments(self) -> NDArray[np.float64]:
         """What blocks sight: walls, closed doors, sides of tall furniture, (n, 4)."""
-        tall = [box for box in self.furniture if box.tall]
-        return np.vstack([self.wall_segments, _sides(tall)])
+        return np.vstack([self.wall_segments, _sides(self._tall)])
+
+    @property
+    def parting_walls(self) -> NDArray[np.float64]:
+        """Walls and closed doors that can stand between two at home, (n, 4).
+
+        Not those round it: the whole home lies on one side of each.
+        """
+        walls = self.wall_segments
+        parts = [_has_on_both_sides(wall, walls.reshape(-1, 2)) for wall in walls]
+        return walls[np.array(parts)]
+
+    @property
+    def tall_diagonals(self) -> NDArray[np.float64]:
+        """Diagonals of tall furniture, (n, 4).
+
+        From outside, a line of sight through a box crosses one of them or both.
+        """
+        ends = [(*b.corners[i], *b.corners[i + 2]) for b in self._tall for i in (0, 1)]
+        return np.array(ends, dtype=np.float64).reshape(-1, 4)
+
+    @property
+    def _tall(self) -> list[Furniture]:
+        return [box for box in self.furniture if box.tall]
 
     @property
     def region_circles(self) -> NDArray[np.float64]:
@@ -166,6 +191,13 @@ class FloorPlan(Record, frozen=True, kw_only=True):
             if region.name == name:
                 return region
         return next((r for r in self.regions if r.activity == name), None)
+
+
+def _has_on_both_sides(wall: NDArray[np.float64], points: NDArray[np.float64]) -> bool:
+    """Whether points lie on both sides of the line through a wall."""
+    x1, y1, x2, y2 = wall
+    side = (x2 - x1) * (points[:, 1] - y1) - (y2 - y1) * (points[:, 0] - x1)
+    return bool(side.min() < -ON_THE_LINE and side.max() > ON_THE_LINE)
 
 
 def _sides(boxes: Iterable[Furniture]) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from household.activity import Activity
 from household.arrays import NOBODY, Floats, Indices, Mask, Zeros
-from household.compiled import compiled
+from household.compiled import FLOATS_2D, INDICES, MASK, compiled, specialized
 from household.crowd import Crowd
 from household.locomotion import within_reach
 from household.people.appraisal import Appraisals, appraise
@@ -73,12 +73,16 @@ class People:
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
         self._near = np.zeros(n, np.bool_)
+        self._find_at_hand = specialized(
+            _at_hand, then=(FLOATS_2D, INDICES, FLOATS_2D, MASK)
+        )
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity: Indices = zeros((n,), np.intp)
         self.activity[:] = Activity.UNKNOWN
         self.touched = np.zeros(n, np.bool_)
         self.quarry = np.full(n, NOBODY, np.intp)
         self.focus = np.full((n, 2), np.nan)
+        # Intentions come from minds, which anybody may write: not `specialized`.
         self._show = partial(
             _show,
             self.place,
@@ -250,7 +254,7 @@ class People:
 
     def _at_hand(self, crowd: Crowd, senses: Senses) -> list[int]:
         """Whose hand can touch what it is out to touch from where it stands."""
-        anybody = self._wishes and _at_hand(
+        anybody = self._wishes and self._find_at_hand(
             crowd.position, self.quarry, senses.walls, self._near
         )
         return self._near.nonzero()[0].tolist() if anybody else []

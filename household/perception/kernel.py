@@ -106,7 +106,7 @@ def separate(
         position: Where everybody is, shape (n, 2) [m].
         walls: Segments that block sight and dampen sound, shape (4, m), columns of
             x1, y1, x2, y2 [m].
-        tall: Segments that block sight alone, shape (4, k) [m].
+        tall: Diagonals of what blocks sight alone, shape (4, k) [m].
         wall_loss: What one wall takes from a sound [dB].
         silent: So many of the first make no sound; between those, none is lost.
         hidden: Walls between each two, or where there is none, tall things, (n, n);

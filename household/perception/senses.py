@@ -1,12 +1,12 @@
 """Senses: who sees, hears and attends to whom at this moment."""
 
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import Zeros
+from household.compiled import FLOAT, FLOATS, FLOATS_2D, specialized
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
 from household.scenario import PerceptionModel
@@ -48,7 +48,8 @@ class Senses:
     The arrays are the same from moment to moment, with new values in them.
 
     Attributes:
-        walls: And closed doors, shape (4, m), columns of x1, y1, x2, y2 [m].
+        walls: That can stand between two, and closed doors, shape (4, m), columns of
+            x1, y1, x2, y2 [m].
         sees: ``sees[i, j]``: i sees j, shape (n, n).
         facing: Cosine of the angle between the gaze of i and the direction to j,
             shape (n, n).
@@ -69,9 +70,7 @@ class Senses:
         silent: int = 0,
         zeros: Zeros = np.zeros,
     ) -> None:
-        # Walls are opaque too: what hides is counted as walls and as tall furniture.
-        opaque, walls = plan.opaque_segments, len(plan.wall_segments)
-        self.walls = np.ascontiguousarray(opaque[:walls].T)
+        self.walls = np.ascontiguousarray(plan.parting_walls.T)
         self._position = np.zeros((n, 2))
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
@@ -80,10 +79,10 @@ class Senses:
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))
-        self._perceive = partial(
+        self._perceive = specialized(
             kernel.perceive,
             self.walls,
-            np.ascontiguousarray(opaque[walls:].T),
+            np.ascontiguousarray(plan.tall_diagonals.T),
             model.wall_loss,
             silent,
             np.deg2rad(model.focus),
@@ -99,6 +98,7 @@ class Senses:
             self.level,
             self.attends,
             self.attention_began,
+            then=(FLOATS_2D, *[FLOATS] * 5, FLOAT),
         )
 
     def forget(self) -> None:

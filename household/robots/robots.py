@@ -1,13 +1,12 @@
 """The robots of a household: what each is doing and what it has felt."""
 
 import math
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import Indices, Zeros
-from household.compiled import compiled
+from household.compiled import FLOAT, FLOATS, compiled, specialized
 from household.people.feedback import Cause, Feedback
 from household.robots.behavior import Bout
 from household.scenario import Scenario
@@ -48,7 +47,7 @@ class Robots:
         self.begun: Indices = zeros((n,), np.intp)
         self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
-        self._show = partial(
+        self._show = specialized(
             _show,
             self.left,
             self.behaviors,
@@ -56,6 +55,7 @@ class Robots:
             self._ends,
             np.array([b.salience for b in scenario.repertoire]),
             np.array([b.loudness for b in scenario.repertoire]),
+            then=(FLOAT, FLOAT, FLOATS, FLOATS),
         )
         self.begin()
 

@@ -1,13 +1,12 @@
 """Doings: what people are about when no robot interrupts them, as time passes."""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Protocol
 
 import numpy as np
 
 from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import compiled
+from household.compiled import FLOAT, INDICES, MASK, compiled, specialized
 
 
 class Doing(Protocol):
@@ -57,8 +56,13 @@ class Doings:
         self._until = np.array([doing.until for doing in doings])
         self._look_left = np.array([doing.look_lasts for doing in doings])
         self._over = np.zeros(len(doings), np.bool_)
-        self._pass_time = partial(
-            _pass_time, self._left, self._until, self._look_left, self._over
+        self._pass_time = specialized(
+            _pass_time,
+            self._left,
+            self._until,
+            self._look_left,
+            self._over,
+            then=(FLOAT, FLOAT, MASK, INDICES),
         )
 
     def play(self, now: float, period: float, arrived: Mask, wanted: Indices) -> None:

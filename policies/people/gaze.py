@@ -2,13 +2,20 @@
 
 import math
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
 from household.activity import Activity
 from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import compiled
+from household.compiled import (
+    FLOAT,
+    FLOATS_2D,
+    INDICES,
+    MASK,
+    MASK_2D,
+    compiled,
+    specialized,
+)
 from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percepts
 from household.people.persona import Persona
@@ -44,7 +51,7 @@ class Gaze:
         self._draws = draws(rngs, DRAWS)
         self.look = np.full(n, OWN_ACTIVITY, np.intp)
         self.eyes_open = np.ones(n, np.bool_)
-        self._turn = partial(
+        self._turn = specialized(
             _turn,
             self.look,
             self.eyes_open,
@@ -52,6 +59,10 @@ class Gaze:
             np.zeros(n),
             np.zeros(n),
             traits_of(personas),
+            then=(
+                *(FLOATS_2D, FLOATS_2D, MASK_2D, MASK, MASK, INDICES),
+                *(FLOAT, INDICES, INDICES),
+            ),
         )
 
     def turn(self, percepts: Percepts, told: Indices, wanted: Indices) -> None:

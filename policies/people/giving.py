@@ -2,13 +2,21 @@
 
 import math
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import compiled
+from household.compiled import (
+    FLOAT,
+    FLOATS,
+    FLOATS_2D,
+    INDICES_2D,
+    MASK,
+    MASK_2D,
+    compiled,
+    specialized,
+)
 from household.people.mind import Percepts, Wish
 from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
@@ -61,7 +69,16 @@ class FeedbackGiving:
         self.wanted: Indices = self._state["robot"]
         self._changed: Mask = self._state["changed"]
         fresh = np.ones((n, n_robots))
-        self._consider = partial(_consider, self._state, fresh, traits_of(personas))
+        self._consider = specialized(
+            _consider,
+            self._state,
+            fresh,
+            traits_of(personas),
+            then=(
+                *(MASK, MASK_2D, MASK_2D, FLOATS_2D, INDICES_2D, MASK_2D),
+                *(FLOATS, FLOAT, FLOATS_2D),
+            ),
+        )
 
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfils or drops wishes."""
