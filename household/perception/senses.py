@@ -15,6 +15,10 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 
+BATCH = 16
+"""So many segments the processor looks at in one go; the rest it takes one by one."""
+
+
 class Beings(NamedTuple):
     """Everybody, as all others perceive it and as it perceives them.
 
@@ -49,7 +53,7 @@ class Senses:
 
     Attributes:
         walls: That can stand between two, and closed doors, shape (4, m), columns of
-            x1, y1, x2, y2 [m].
+            x1, y1, x2, y2 [m]; the last ones may be NaN.
         sees: ``sees[i, j]``: i sees j, shape (n, n).
         facing: Cosine of the angle between the gaze of i and the direction to j,
             shape (n, n).
@@ -70,7 +74,7 @@ class Senses:
         silent: int = 0,
         zeros: Zeros = np.zeros,
     ) -> None:
-        self.walls = np.ascontiguousarray(plan.parting_walls.T)
+        self.walls = _columns(plan.parting_walls)
         self._position = np.zeros((n, 2))
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
@@ -82,7 +86,7 @@ class Senses:
         self._perceive = specialized(
             kernel.perceive,
             self.walls,
-            np.ascontiguousarray(plan.tall_diagonals.T),
+            _columns(plan.tall_diagonals),
             model.wall_loss,
             silent,
             np.deg2rad(model.focus),
@@ -119,3 +123,17 @@ class Senses:
             Whether anybody attends to others than before.
         """
         return self._perceive(*beings, now)
+
+
+def _columns(segments: Array) -> Array:
+    """Segments as columns, filled up to full batches with NaN, which no line crosses.
+
+    Args:
+        segments: Shape (m, 4) [m].
+
+    Returns:
+        Shape (4, at least m).
+    """
+    columns = np.full((4, -(-len(segments) // BATCH) * BATCH), np.nan)
+    columns[:, : len(segments)] = segments.T
+    return columns
