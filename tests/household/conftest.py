@@ -1,6 +1,10 @@
+import numpy as np
 import pytest
 
 from household import household_v0
+from household.crowd import Build, Crowd
+from household.home.routes import distance_to_box, distance_to_segments
+from household.life import PERSON_MASS, PERSON_RADIUS
 
 BUSY_HOME = """
 name = "busy"
@@ -52,3 +56,60 @@ def make_busy_home(tmp_path_factory):
 @pytest.fixture
 def busy_home(make_busy_home):
     return make_busy_home()
+
+
+@pytest.fixture(scope="session")
+def people():
+    """Makes the radii and the masses of so many people."""
+
+    def make(n):
+        return np.full(n, PERSON_RADIUS), np.full(n, PERSON_MASS)
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def crowd_in(people):
+    """Puts people somewhere in a home."""
+
+    def make(plan, position, speed=1.2):
+        n = len(position)
+        crowd = Crowd(plan, Build(*people(n), np.full(n, speed)), 0.2, 0.1)
+        crowd.place(np.array(position, dtype=float), np.zeros(n))
+        return crowd
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def walk():
+    """Sends everybody on its way; returns when each arrived [s] and all positions."""
+
+    def send(crowd, goals, most):
+        for i, goal in enumerate(goals):
+            assert crowd.send(i, goal, 0.0)
+        arrived, track = {}, [crowd.position.copy()]
+        for moment in range(round(most / 0.2)):
+            crowd.advance()
+            track.append(crowd.position.copy())
+            for i in range(len(goals)):
+                if i not in arrived and not crowd.walks(i):
+                    arrived[i] = 0.2 * (moment + 1)
+        return arrived, np.array(track)
+
+    return send
+
+
+@pytest.fixture(scope="session")
+def deepest():
+    """Measures how far bodies overlap walls and furniture [m]; negative: clear."""
+
+    def measure(plan, position, radius):
+        gap = distance_to_segments(position, plan.wall_segments).min(axis=1)
+        depth = plan.wall_thickness / 2 + radius - gap
+        for box in plan.furniture:
+            away = distance_to_box(position, box.center, box.size, box.angle)
+            depth = np.maximum(depth, radius - away)
+        return float(depth.max())
+
+    return measure

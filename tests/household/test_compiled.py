@@ -4,7 +4,9 @@ import os
 import subprocess
 import sys
 
-from household.compiled import forget_outdated
+import numpy as np
+
+from household.compiled import FLOAT, FLOATS, compiled, forget_outdated, specialized
 
 A_MINUTE = """
 import hashlib
@@ -49,3 +51,18 @@ def test_a_minute_is_the_same_compiled_or_not():
         for plain in ("0", "1")
     ]
     assert told[0] == told[1] != ""
+
+
+@compiled
+def _weighed(weights, values, most):
+    """The weighed sum of values, at most so much."""
+    return min((weights * values).sum(), most)
+
+
+def test_a_specialized_function_knows_its_first_arguments_and_takes_the_others():
+    weigh = specialized(_weighed, np.array([1.0, 10.0]), then=(FLOATS, FLOAT))
+    values = np.array([2.0, 3.0, 4.0])
+    assert weigh(values[:2], 100.0) == 32.0
+    # Arrays with gaps, too, and whole numbers for others.
+    assert weigh(values[::2], 100) == 42.0
+    assert weigh(values[:2], 5) == 5.0

@@ -9,7 +9,8 @@ import pytest
 from household.errors import HouseholdError
 from household.home.check import checked, problems
 from household.home.floorplan import FloorPlan, Furniture, Wall, load_floorplan
-from household.home.routes import distance_to_segments
+from household.home.routes import distance_to_segments, routes_of
+from household.perception.kernel import between
 from household.records import shipped
 
 HOMES = ("smart_room", "studio", "two_room_flat", "family_apartment", "villa")
@@ -205,3 +206,24 @@ def sees(plan: FloorPlan, a: str, b: str) -> bool:
 )
 def test_walls_and_tall_furniture_hide_people_doorways_show_them(name, a, b, visible):
     assert sees(load_floorplan(name), a, b) is visible
+
+
+@pytest.mark.parametrize("name", HOMES)
+def test_what_can_stand_between_two_is_told_by_fewer_lines_and_the_same(name):
+    """Inner walls instead of all, two diagonals instead of four sides of a box."""
+    plan = load_floorplan(name)
+    routes, entrance = routes_of(plan), np.array(plan.regions[0].center)
+    inside = [spot for spot in routes.centers() if routes.connects(spot, entrance)]
+    ends = np.random.default_rng(0).choice(inside, size=(2000, 2))
+
+    def crossed(segments):
+        columns = np.ascontiguousarray(segments.T)
+        return np.array([between(pair, 0, 1, columns) for pair in ends])
+
+    walls, sides = np.split(plan.opaque_segments, [len(plan.wall_segments)])
+    assert len(plan.parting_walls) < len(walls)
+    assert len(plan.tall_diagonals) == len(sides) / 2
+    np.testing.assert_array_equal(crossed(plan.parting_walls), crossed(walls))
+    hidden = crossed(sides) > 0
+    np.testing.assert_array_equal(crossed(plan.tall_diagonals) > 0, hidden)
+    assert hidden.any() != (name == "smart_room")  # its cupboard is in a corner
