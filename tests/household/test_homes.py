@@ -226,4 +226,4 @@ def test_what_can_stand_between_two_is_told_by_fewer_lines_and_the_same(name):
     np.testing.assert_array_equal(crossed(plan.parting_walls), crossed(walls))
     hidden = crossed(sides) > 0
     np.testing.assert_array_equal(crossed(plan.tall_diagonals) > 0, hidden)
-    assert hidden.any() != (name == "smart_room")  # its cupboard is in a corner
+    assert hidden.any() != (name == "smart_room")  # its bookshelf is at a wall
