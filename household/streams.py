@@ -72,9 +72,9 @@ def draws(
         The numbers of the next moment, shape (n_streams, size); for reading, and only
         until the next are asked for.
     """
-    numbers = np.empty((AHEAD, len(rngs), size))
+    numbers = np.empty((len(rngs), AHEAD, size))
     while True:
-        for stream, rng in enumerate(rngs):
+        for rng, ahead in zip(rngs, numbers, strict=True):
             draw = rng.random if distribution == "uniform" else rng.standard_normal
-            numbers[:, stream] = draw((AHEAD, size))
-        yield from numbers
+            draw(out=ahead)
+        yield from numbers.swapaxes(0, 1)

@@ -13,7 +13,7 @@ from household.scenario import Scenario
 
 Mask = NDArray[np.bool_]
 
-KEPT = 4096
+KEPT = 1024
 """So many situations and their parts are remembered, as they recur."""
 
 
