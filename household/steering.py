@@ -4,6 +4,8 @@ Compiled with Numba for the same reason as the perception kernel: it runs severa
 times in each decision, over all pairs of bodies.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from household.arrays import Floats, Indices, Mask
@@ -20,6 +22,24 @@ ATTEMPTS = 3
 
 PUSHY = 0.5
 """Time without progress after which a walker pushes who stands in its way [s]."""
+
+
+class Close(NamedTuple):
+    """Who is close to a walker, and where; as many elements as there are bodies.
+
+    Attributes:
+        near: Whether each body is close.
+        who: Indices of those who are; the arrays that follow are in their order.
+        x: From the middle of the walker to theirs [m].
+        y: Likewise.
+        gap: Between the walker and each [m].
+    """
+
+    near: Mask
+    who: Indices
+    x: Floats
+    y: Floats
+    gap: Floats
 
 
 @compiled
@@ -56,87 +76,92 @@ def steer(
         at: From `Ways`, shape (n,).
     """
     velocity[:] = 0.0
-    close = np.empty(len(position), np.intp)
-    for i in range(len(position)):
+    n = len(position)
+    close = Close(
+        np.empty(n, np.bool_),
+        np.empty(n, np.intp),
+        np.empty(n),
+        np.empty(n),
+        np.empty(n),
+    )
+    # Plain rows of numbers: the processor looks at several at once.
+    xs, ys = position[:, 0].copy(), position[:, 1].copy()
+    for i in range(n):
         if not walking[i]:
             continue
-        dx = points[i, at[i], 0] - position[i, 0]
-        dy = points[i, at[i], 1] - position[i, 1]
+        dx, dy = points[i, at[i], 0] - xs[i], points[i, at[i], 1] - ys[i]
         away = np.sqrt(dx * dx + dy * dy)
         if away < 1e-9:
             continue
         dx /= away
         dy /= away
-        pace, turn = min(speed[i], away / period), 0.0
-        count = _find_close(position, radius, i, close)
-        for j in close[:count]:
-            ox, oy, gap = _gap(position, radius, i, j)
-            if 0.0 < ox * dx + oy * dy < away and gap < COMFORT:
-                turn = max(turn, 1.0 - max(gap, 0.0) / COMFORT)
-        vx = dx + turn * dy
-        vy = dy - turn * dx
+        count = _find_close(xs, ys, radius, i, close)
+        turn = 0.0
+        for k in range(count):
+            ahead = close.x[k] * dx + close.y[k] * dy
+            if 0.0 < ahead < away and close.gap[k] < COMFORT:
+                turn = max(turn, 1.0 - max(close.gap[k], 0.0) / COMFORT)
+        pace = min(speed[i], away / period)
+        vx, vy = dx + turn * dy, dy - turn * dx
         norm = np.sqrt(vx * vx + vy * vy)
-        velocity[i, 0] = pace * vx / norm
-        velocity[i, 1] = pace * vy / norm
+        vx, vy = pace * vx / norm, pace * vy / norm
         if stalled[i] < PUSHY:
-            _give_way(position, walking, radius, period, i, close[:count], velocity[i])
-        if velocity[i, 0] != 0.0 or velocity[i, 1] != 0.0:
-            heading[i] = np.arctan2(velocity[i, 1], velocity[i, 0])
+            vx, vy = _given_way(walking, radius, period, i, close, count, vx, vy)
+        velocity[i, 0], velocity[i, 1] = vx, vy
+        if vx != 0.0 or vy != 0.0:
+            heading[i] = np.arctan2(vy, vx)
 
 
 @compiled
-def _find_close(position: Floats, radius: Floats, i: int, close: Indices) -> int:
+def _find_close(xs: Floats, ys: Floats, radius: Floats, i: int, close: Close) -> int:
     """Lists who is close to a body, or nearly so; returns how many that are."""
+    for j in range(len(xs)):
+        reach = COMFORT + radius[i] + radius[j]
+        close.near[j] = (abs(xs[j] - xs[i]) <= reach) & (abs(ys[j] - ys[i]) <= reach)
+    close.near[i] = False
     count = 0
-    for j in range(len(position)):
-        near = COMFORT + radius[i] + radius[j]
-        close[count] = j
-        count += (
-            (j != i)
-            & (abs(position[j, 0] - position[i, 0]) <= near)
-            & (abs(position[j, 1] - position[i, 1]) <= near)
-        )
+    for j in range(len(xs)):
+        if close.near[j]:
+            x, y = xs[j] - xs[i], ys[j] - ys[i]
+            close.who[count], close.x[count], close.y[count] = j, x, y
+            close.gap[count] = np.sqrt(x * x + y * y) - radius[i] - radius[j]
+            count += 1
     return count
 
 
 @compiled
-def _gap(
-    position: Floats, radius: Floats, i: int, j: int
-) -> tuple[float, float, float]:
-    """From the middle of one body to that of another, and the gap between them [m]."""
-    ox, oy = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1]
-    return ox, oy, np.sqrt(ox * ox + oy * oy) - radius[i] - radius[j]
-
-
-@compiled
-def _give_way(
-    position: Floats,
+def _given_way(
     walking: Mask,
     radius: Floats,
     period: float,
     i: int,
-    close: Indices,
-    velocity: Floats,
-) -> None:
+    close: Close,
+    count: int,
+    vx: float,
+    vy: float,
+) -> tuple[float, float]:
     """Takes from a velocity what would lead into others; who is hemmed in waits.
 
     Of two walkers each may use half the gap between them, so that both together cannot
     meet whatever the other does (reciprocal avoidance, van den Berg et al. 2011).
     """
+    for k in range(count):
+        j, gap = close.who[k], close.gap[k]
+        away, left = gap + radius[i] + radius[j], gap - 2 * MARGIN
+        # From here on the direction to each, and how fast the walker may go there.
+        close.x[k] /= away
+        close.y[k] /= away
+        close.gap[k] = (left / 2 if walking[j] else left) / period
+        if away < 1e-9:
+            close.gap[k] = np.inf
     for _ in range(ATTEMPTS):
         clear = True
-        for j in close:
-            ox, oy, gap = _gap(position, radius, i, j)
-            away = gap + radius[i] + radius[j]
-            if away < 1e-9:
-                continue
-            ox, oy, left = ox / away, oy / away, gap - 2 * MARGIN
-            most = (left / 2 if walking[j] else left) / period
-            too_fast = ox * velocity[0] + oy * velocity[1] - most
+        for k in range(count):
+            too_fast = close.x[k] * vx + close.y[k] * vy - close.gap[k]
             if too_fast > 1e-9:
-                velocity[0] -= too_fast * ox
-                velocity[1] -= too_fast * oy
+                vx -= too_fast * close.x[k]
+                vy -= too_fast * close.y[k]
                 clear = False
         if clear:
-            return
-    velocity[:] = 0.0
+            return vx, vy
+    return 0.0, 0.0
