@@ -13,6 +13,7 @@ from household.perception.kernel import crosses
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
+Box = tuple[float, float, float, float]
 
 ROUNDS = 3
 """How often a body is pushed out: a corner pushes it from one side to the other."""
@@ -79,20 +80,11 @@ def _is_clear(
 ) -> bool:
     """Whether a body that goes from a to b stays away from the boxes of all segments.
 
-    It nearly always does. Without a branch in the loop, the processor compares with
-    several boxes at once.
+    It nearly always does.
     """
-    left, right = min(a[0], b[0]), max(a[0], b[0])
-    low, high = min(a[1], b[1]), max(a[1], b[1])
-    near = False
+    box, near = _box_round(a, b), False
     for k in range(len(thickness)):
-        reach = radius + thickness[k]
-        near |= (
-            (left <= boxes[2, k] + reach)
-            & (low <= boxes[3, k] + reach)
-            & (right >= boxes[0, k] - reach)
-            & (high >= boxes[1, k] - reach)
-        )
+        near |= _near(box, radius + thickness[k], boxes, k)
     return not near
 
 
@@ -108,10 +100,12 @@ def _close_to(
     a: Point, b: Point, reach: float, thickness: Array, boxes: Array
 ) -> Indices:
     """The segments whose boxes are within reach of the way from a to b."""
-    box = (min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
+    box, near = _box_round(a, b), np.empty(len(thickness), np.bool_)
+    for k in range(len(thickness)):
+        near[k] = _near(box, reach + thickness[k], boxes, k)
     close, count = np.empty(len(thickness), np.intp), 0
     for k in range(len(thickness)):
-        if _near(box, reach + thickness[k], boxes, k):
+        if near[k]:
             close[count] = k
             count += 1
     return close[:count]
@@ -170,16 +164,23 @@ def _offset(point: Point, one: Point, other: Point) -> Point:
 
 
 @compiled
-def _near(box: tuple[float, ...], reach: float, boxes: Array, k: int) -> bool:
+def _box_round(a: Point, b: Point) -> Box:
+    """The left, lower, right and upper edge of the box round two points."""
+    return min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1])
+
+
+@compiled
+def _near(box: Box, reach: float, boxes: Array, k: int) -> bool:
     """Whether a box comes within reach of another.
 
-    Four comparisons that spare most segments the exact look.
+    Four comparisons that spare most segments the exact look; without a branch, so that
+    the processor looks at several segments at once.
     """
     return (
-        box[0] <= boxes[2, k] + reach
-        and box[1] <= boxes[3, k] + reach
-        and box[2] >= boxes[0, k] - reach
-        and box[3] >= boxes[1, k] - reach
+        (box[0] <= boxes[2, k] + reach)
+        & (box[1] <= boxes[3, k] + reach)
+        & (box[2] >= boxes[0, k] - reach)
+        & (box[3] >= boxes[1, k] - reach)
     )
 
 
