@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -22,6 +23,9 @@ NOWHERE = -1
 
 APART = 0.5
 """Least distance between two who stand in nobody's way [m]: two bodies side by side."""
+
+KEPT = 1024
+"""So many rings round spots are remembered, as people ask for the same ones."""
 
 
 class Places:
@@ -44,6 +48,7 @@ class Places:
         nothing = (math.nan, math.nan)
         self.facing = np.array([*(r.facing for r in plan.regions), nothing])
         self._routes = routes = routes_of(plan)
+        self._beside = lru_cache(maxsize=KEPT)(self._find_beside)
         self._spots = [
             [
                 spot
@@ -105,11 +110,18 @@ class Places:
             taken: Where others are [m].
         """
         for ring in range(len(taken) + 1):
-            for x, y in _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring)):
-                fits = self._routes.connects(np.array([x, y]), np.array(spot))
-                if fits and all(math.dist((x, y), o) >= APART - 1e-9 for o in taken):
-                    return x, y
+            for point in self._beside(spot, ring):
+                if all(math.dist(point, other) >= APART - 1e-9 for other in taken):
+                    return point
         return spot
+
+    def _find_beside(self, spot: Point, ring: int) -> list[Point]:
+        """Where a body fits on one of the rings round a spot."""
+        around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
+        here = np.array(spot)
+        return [
+            point for point in around if self._routes.connects(np.array(point), here)
+        ]
 
 
 @compiled

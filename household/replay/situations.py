@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from household.perception.reading import KEPT, SituationReader
+from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.replay.columns import texts
 from household.replay.moving import changes
@@ -15,6 +15,9 @@ from household.replay.stream import Stream
 from household.scenario import Scenario
 
 Mask = NDArray[np.bool_]
+
+KEPT = 4096
+"""So many texts are remembered, as they recur."""
 
 
 class Situations:
