@@ -46,7 +46,8 @@ class Situations:
         import rerun as rr
 
         looks = self._looks(rows.attends)
-        at, told = [], []
+        at, which = [], []
+        among: dict[str, int] = {}
         where = changes(rows.activity, looks)
         keys = zip(
             _bytes_of(rows.activity[where]), _bytes_of(looks[where]), strict=True
@@ -55,11 +56,11 @@ class Situations:
             text = self._text(activity, look)
             if text != self._last:
                 self._last = text
-                told.append(text)
+                which.append(among.setdefault(text, len(among)))
                 at.append(row)
         moments = rows.decision[at], rows.time[at]
-        kind, each = rr.TextDocument.descriptor_text(), np.arange(len(told))
-        stream.send("situation", moments, [texts(kind, told, each[:, None])])
+        kind, told = rr.TextDocument.descriptor_text(), np.array(which, np.int64)
+        stream.send("situation", moments, [texts(kind, list(among), told[:, None])])
 
     def _looks(self, attends: Mask) -> Mask:
         """What of the attention situations tell, shape (n_rows, n_views, n_looks).
@@ -75,11 +76,10 @@ class Situations:
     def _make_text(self, activity: bytes, looks: bytes) -> str:
         """The situations in words; one line if all see the same."""
         width, roles = len(looks) // self._views, self._roles(activity)
-        told = [
-            self._sights(looks[view * width : (view + 1) * width], view)
-            for view in range(self._views)
-        ]
-        told = [", ".join(filter(None, (roles, sights))) for sights in told]
+        told = []
+        for view in range(self._views):
+            sights = self._sights(looks[view * width : (view + 1) * width], view)
+            told.append(f"{roles}, {sights}" if roles and sights else roles or sights)
         if told.count(told[0]) == len(told):
             return told[0]
         pairs = zip(self._robots, told, strict=True)
