@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from household.compiled import compiled
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 Drawn = NDArray[np.float32]
 
 RAYS = 11
@@ -36,36 +37,48 @@ def gaze_cones(
     """
     moments, n = gaze.shape
     outline = np.empty((moments, n, RAYS + 2, 2), np.float32)
-    near = np.empty((len(segments), 5))
+    near, seen = np.empty((len(segments), 5)), np.empty(len(segments), np.bool_)
+    # Plain rows of numbers: the processor looks at several at once.
+    columns = segments.T.copy()
+    dx, dy, free = np.empty(RAYS), np.empty(RAYS), np.empty(RAYS)
     for t in range(moments):
         for i in range(n):
             x, y, half = position[t, i, 0], position[t, i, 1], half_view[t, i]
-            if (
-                t > 0
-                and x == position[t - 1, i, 0]
-                and y == position[t - 1, i, 1]
-                and gaze[t, i] == gaze[t - 1, i]
-                and half == half_view[t - 1, i]
-            ):
-                for point in range(RAYS + 2):
-                    outline[t, i, point, 0] = outline[t - 1, i, point, 0]
-                    outline[t, i, point, 1] = outline[t - 1, i, point, 1]
+            if t > 0 and _goes_on(position, gaze, half_view, t, i):
+                outline[t, i] = outline[t - 1, i]
                 continue
-            for point in range(RAYS + 2):
-                outline[t, i, point, 0] = x
-                outline[t, i, point, 1] = y
+            outline[t, i, :, 0], outline[t, i, :, 1] = x, y
             if half < 0.0:
                 continue
-            count = _gather(x, y, gaze[t, i], half, segments, reach, near)
-            dx, dy = math.cos(gaze[t, i] - half), math.sin(gaze[t, i] - half)
-            turn = 2.0 * half / (RAYS - 1)
-            along, across = math.cos(turn), math.sin(turn)
+            count = _gather(x, y, gaze[t, i], half, columns, reach, seen, near)
+            _aim(gaze[t, i], half, dx, dy)
+            _cut(dx, dy, near, count, reach, free)
             for ray in range(RAYS):
-                free = _free(dx, dy, near, count, reach)
-                outline[t, i, ray + 1, 0] = x + free * dx
-                outline[t, i, ray + 1, 1] = y + free * dy
-                dx, dy = dx * along - dy * across, dx * across + dy * along
+                outline[t, i, ray + 1, 0] = x + free[ray] * dx[ray]
+                outline[t, i, ray + 1, 1] = y + free[ray] * dy[ray]
     return outline
+
+
+@compiled
+def _goes_on(position: Array, gaze: Array, half_view: Array, t: int, i: int) -> bool:
+    """Whether somebody looks from where and to where it did the moment before."""
+    return bool(
+        position[t, i, 0] == position[t - 1, i, 0]
+        and position[t, i, 1] == position[t - 1, i, 1]
+        and gaze[t, i] == gaze[t - 1, i]
+        and half_view[t, i] == half_view[t - 1, i]
+    )
+
+
+@compiled
+def _aim(gaze: float, half: float, dx: Array, dy: Array) -> None:
+    """Spreads rays over a field of view: unit vectors, from its right to its left."""
+    dx[0], dy[0] = math.cos(gaze - half), math.sin(gaze - half)
+    turn = 2.0 * half / (len(dx) - 1)
+    along, across = math.cos(turn), math.sin(turn)
+    for ray in range(1, len(dx)):
+        dx[ray] = dx[ray - 1] * along - dy[ray - 1] * across
+        dy[ray] = dx[ray - 1] * across + dy[ray - 1] * along
 
 
 @compiled
@@ -74,8 +87,9 @@ def _gather(
     y: float,
     gaze: float,
     half: float,
-    segments: Array,
+    columns: Array,
     reach: float,
+    seen: Mask,
     near: Array,
 ) -> int:
     """Copies the segments that could be seen to `near`; returns how many.
@@ -86,41 +100,39 @@ def _gather(
     """
     lx, ly = math.cos(gaze + half + EDGE), math.sin(gaze + half + EDGE)
     rx, ry = math.cos(gaze - half - EDGE), math.sin(gaze - half - EDGE)
-    narrow = half + EDGE < math.pi / 2
+    wide = half + EDGE >= math.pi / 2
+    for k in range(columns.shape[1]):
+        ax, ay = columns[0, k] - x, columns[1, k] - y
+        bx, by = columns[2, k] - x, columns[3, k] - y
+        far = (min(ax, bx) > reach) | (max(ax, bx) < -reach)
+        far |= (min(ay, by) > reach) | (max(ay, by) < -reach)
+        beyond = (lx * ay > ly * ax) & (lx * by > ly * bx)
+        beyond |= (rx * ay < ry * ax) & (rx * by < ry * bx)
+        seen[k] = (not far) & (wide | (not beyond))
     count = 0
-    for k in range(segments.shape[0]):
-        ax, ay = segments[k, 0] - x, segments[k, 1] - y
-        bx, by = segments[k, 2] - x, segments[k, 3] - y
-        if (
-            (ax > reach and bx > reach)
-            or (ax < -reach and bx < -reach)
-            or (ay > reach and by > reach)
-            or (ay < -reach and by < -reach)
-        ):
-            continue
-        if narrow and (
-            (lx * ay > ly * ax and lx * by > ly * bx)
-            or (rx * ay < ry * ax and rx * by < ry * bx)
-        ):
-            continue
-        ex, ey = segments[k, 2] - segments[k, 0], segments[k, 3] - segments[k, 1]
-        near[count, 0], near[count, 1], near[count, 2] = ax, ay, ex
-        near[count, 3], near[count, 4] = ey, ax * ey - ay * ex
-        count += 1
+    for k in range(columns.shape[1]):
+        if seen[k]:
+            ax, ay = columns[0, k] - x, columns[1, k] - y
+            ex, ey = columns[2, k] - columns[0, k], columns[3, k] - columns[1, k]
+            near[count, 0], near[count, 1], near[count, 2] = ax, ay, ex
+            near[count, 3], near[count, 4] = ey, ax * ey - ay * ex
+            count += 1
     return count
 
 
 @compiled
-def _free(dx: float, dy: float, near: Array, count: int, reach: float) -> float:
-    """How far one sees in the unit direction (dx, dy), past what `_gather` found."""
-    free = reach
+def _cut(
+    dx: Array, dy: Array, near: Array, count: int, reach: float, free: Array
+) -> None:
+    """How far one sees in each unit direction (dx, dy), past what `_gather` found."""
+    free[:] = reach
     for k in range(count):
-        cross = dx * near[k, 3] - dy * near[k, 2]
-        aside = near[k, 0] * dy - near[k, 1] * dx
-        # On the line, in front and between its ends, told without a division; without
-        # a jump, too, as what is hit is hard to foresee.
-        ahead = near[k, 4] * cross >= 0.0
-        on = (abs(aside) <= abs(cross)) & (aside * cross >= 0.0) & ahead
-        if on & (cross != 0.0):
-            free = min(free, near[k, 4] / cross)
-    return free
+        ax, ay, ex, ey, turned = near[k]
+        for ray in range(len(dx)):
+            cross = dx[ray] * ey - dy[ray] * ex
+            aside = ax * dy[ray] - ay * dx[ray]
+            # On the line, in front and between its ends: told without a branch.
+            hit = (abs(aside) <= abs(cross)) & (aside * cross >= 0.0)
+            hit &= (turned * cross >= 0.0) & (cross != 0.0)
+            away = turned / cross
+            free[ray] = away if hit & (away < free[ray]) else free[ray]
