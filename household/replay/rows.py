@@ -1,5 +1,6 @@
 """Rows: moments kept in preallocated arrays until they are written out."""
 
+from bisect import bisect_left
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
@@ -76,27 +77,26 @@ class Buffer:
         self._life, self._now = life, life.memory.bytes
         self._capacity = max(1, min(capacity, MOST_BYTES // len(self._now)))
         self._moments = np.zeros((self._capacity, len(self._now)), np.uint8)
-        self._decisions = np.zeros(self._capacity, np.int64)
+        self._decisions: list[int] = []
         self._rewards = np.zeros((self._capacity, len(scenario.robots)))
-        self._robots = life.crowd.position[len(scenario.people) :]
-        self._spots = np.zeros((REMEMBERED, *self._robots.shape))
-        self._filled, self.decision = 0, -1
+        everybody = self._column(life.crowd.position, self._capacity)
+        self._spots = everybody[:, len(scenario.people) :]
+        self._before: tuple[list[int], Array] = ([], self._spots[:0])
+        self.decision = -1
 
     @property
     def full(self) -> bool:
         """Whether there is no room for another moment."""
-        return self._filled == self._capacity
+        return len(self._decisions) == self._capacity
 
     def put(self) -> None:
         """Adds this moment; its touches are kept elsewhere."""
-        row, life = self._filled, self._life
-        decision = life.decision
+        row, life = len(self._decisions), self._life
         self._moments[row] = self._now
-        self._decisions[row] = decision
-        self._spots[decision % REMEMBERED] = self._robots
+        self.decision = life.decision
+        self._decisions.append(life.decision)
         if life.robots.touched:
             self._rewards[row] = rewards(life.robots)
-        self._filled, self.decision = row + 1, decision
 
     def spot(self, robot: int, decision: int) -> tuple[float, float]:
         """Where a robot was; where it is now, if that is forgotten.
@@ -106,12 +106,15 @@ class Buffer:
             decision: Not after the last moment.
         """
         known = decision if decision > self.decision - REMEMBERED else self.decision
-        x, y = self._spots[known % REMEMBERED, robot].tolist()
+        decisions, spots = self._decisions, self._spots
+        if not decisions or known < decisions[0]:
+            decisions, spots = self._before
+        x, y = spots[bisect_left(decisions, known), robot].tolist()
         return x, y
 
     def take(self) -> Rows:
         """Everything since the last time."""
-        count, self._filled = self._filled, 0
+        decisions, count = self._decisions, len(self._decisions)
         reward = self._rewards[:count].copy()
         self._rewards[:count] = 0.0
         columns = [self._column(array, count) for array in present(self._life)]
@@ -121,7 +124,11 @@ class Buffer:
                 self._layout.items(), (*columns, reward), strict=True
             )
         }
-        decision = self._decisions[:count].copy()
+        earlier, spots = self._before
+        latest = np.concatenate([spots, self._spots[:count]])[-REMEMBERED:]
+        self._before = [*earlier, *decisions][-REMEMBERED:], latest
+        self._decisions = []
+        decision = np.array(decisions, np.int64)
         time = np.asarray(decision * self._period, dtype=np.float64)
         return Rows(decision=decision, time=time, **told)
 
