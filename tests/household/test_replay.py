@@ -242,7 +242,7 @@ def test_where_robots_were_is_known_for_a_while_also_after_it_was_written(
         if buffer.full or decision % 90 == 89:
             buffer.take()
         for ago in (0, 1, 100, 511, 512):
-            was = decision - ago if ago < REMEMBERED else decision
-            if was >= 0:
-                assert buffer.spot(1, max(decision - ago, 0)) == tuple(spots[was][1])
+            if ago <= decision:
+                was = decision - ago if ago < REMEMBERED else decision
+                assert buffer.spot(1, decision - ago) == tuple(spots[was][1])
         env.step(actions)
