@@ -68,6 +68,7 @@ def physics(settings: Settings) -> Iterator[Measure]:
         name="the same, beside the loop",
         unit="x",
         values=ratios(steps, loops),
+        at_most=3.0,
     )
 
 
