@@ -11,22 +11,22 @@ from gymnasium.utils import EzPickle
 from numpy.typing import NDArray
 from pettingzoo import ParallelEnv
 
+from household.compiled.arrays import Floats, Singles
 from household.errors import HouseholdError, choose_from
-from household.life import Life
-from household.observation import ENCODINGS, Features
-from household.people.feedback import Cause, Feedback
+from household.feedback import Cause, Feedback
+from household.observation.encodings import ENCODINGS, Features
 from household.people.people import MakeMinds
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
-from household.robots.behavior import Bout
-from household.scenario import Scenario
-from household.scenario_check import load_scenario
-from household.snapshot import snapshot
+from household.robots.bout import Bout
+from household.scenario.scenario import Scenario
+from household.scenario.validation import load_scenario
+from household.simulation.simulation import Simulation
+from household.simulation.snapshot import snapshot
 
 if TYPE_CHECKING:
-    from household.render import Screen
+    from household.view.painter import Screen
 
-Array = NDArray[np.float64]
 Observation = Any
 Results = tuple[
     dict[str, Observation],
@@ -87,9 +87,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.agents: list[str] = []
         self._begun = False
         self._index = {agent: i for i, agent in enumerate(self.possible_agents)}
-        self.life = Life(self.scenario, make_minds)
+        self.simulation = Simulation(self.scenario, make_minds)
         self._situations = SituationReader(self.scenario)
-        self._scene = self.life.scene
+        self._revision = self.simulation.revision
         self._read: tuple[Situation, ...] = ()
         self._features = Features(self.scenario)
         self._encoding = ENCODINGS[observation](self.scenario)
@@ -122,7 +122,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             Observations and empty infos of all agents.
         """
         self.agents = list(self.possible_agents)
-        self.life.begin(seed)
+        self.simulation.begin(seed)
         self._begun = True
         self._show()
         return self._observations(), {agent: {} for agent in self.agents}
@@ -143,7 +143,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         if not self.agents:
             return {}, {}, {}, {}, {}
-        self.life.go_on(self._choices(actions))
+        self.simulation.go_on(self._choices(actions))
         self._show()
         return self._results()
 
@@ -159,11 +159,11 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         if self.render_mode is None:
             return None
         if self._screen is None:
-            from household.render import Screen
+            from household.view.painter import Screen
 
             fps = self.metadata["render_fps"]
             self._screen = Screen(self.scenario, self.render_mode, fps)
-        return self._screen.show(snapshot(self))
+        return self._screen.show(snapshot(self.simulation))
 
     def _show(self) -> None:
         """Shows this moment to a person, if one is to watch."""
@@ -179,12 +179,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
     @property
     def time(self) -> float:
         """Time since the beginning of the episode [s]."""
-        return self.life.time
+        return self.simulation.time
 
     @property
     def decision(self) -> int:
         """Steps since the beginning of the episode."""
-        return self.life.decision
+        return self.simulation.decision
 
     def _choices(self, actions: Mapping[str, int]) -> dict[int, int]:
         """The behavior of each robot, by index.
@@ -214,7 +214,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
         observations, rewards, infos = self._observations(), {}, {}
-        feedback, situations = self.life.robots.feedback, self._seen()
+        feedback, situations = self.simulation.robots.feedback, self._seen()
         for agent, touches, situation in zip(
             self.agents, feedback, situations, strict=True
         ):
@@ -236,17 +236,17 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return observations, rewards, terminations, truncations, infos
 
     def _observations(self) -> dict[str, Observation]:
-        rows = self._encoding.encode(self.life.view)
+        rows = self._encoding.encode(self.simulation.view)
         return {agent: rows[i] for i, agent in enumerate(self.agents)}
 
-    def state(self) -> NDArray[np.float32]:
+    def state(self) -> Singles:
         """What all robots observe together, for centralized critics.
 
         Raises:
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self._features.encode(self.life.view).reshape(-1)
+        return self._features.encode(self.simulation.view).reshape(-1)
 
     def _check_begun(self) -> None:
         if not self._begun:
@@ -262,28 +262,28 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self._seen()[self._index[agent]]
 
     def _seen(self) -> tuple[Situation, ...]:
-        """The situation as each robot sees it now; read anew in another scene."""
-        if self.life.scene != self._scene:
-            people, senses = self.life.people, self.life.senses
+        """The situation as each robot sees it now; read anew in another revision."""
+        if self.simulation.revision != self._revision:
+            people, senses = self.simulation.people, self.simulation.senses
             self._read = self._situations.seen(people.activity, senses.attends)
-            self._scene = self.life.scene
+            self._revision = self.simulation.revision
         return self._read
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""
-        return self.life.robots.feedback[self._index[agent]]
+        return self.simulation.robots.feedback[self._index[agent]]
 
     def causes(self, agent: str) -> tuple[Cause, ...]:
         """What each touch of the last step was really about; for evaluation only."""
-        return self.life.robots.causes[self._index[agent]]
+        return self.simulation.robots.causes[self._index[agent]]
 
     def behavior(self, agent: str) -> Bout:
         """What a robot is doing, or did last."""
-        return self.life.robots.bouts[self._index[agent]]
+        return self.simulation.robots.bouts[self._index[agent]]
 
     def behavior_over(self, agent: str) -> bool:
         """Whether what a robot was doing is done, so that it can choose anew."""
-        return self.life.robots.is_over(self._index[agent], self.time)
+        return self.simulation.robots.is_over(self._index[agent], self.time)
 
     def attended(self, agent: str) -> bool:
         """Whether any person attends to a robot.
@@ -292,10 +292,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        n = len(self.life.people.everyone)
-        return True in self.life.senses.attends[:n, n + self._index[agent]].tolist()
+        n = len(self.simulation.people.everyone)
+        return (
+            True in self.simulation.senses.attends[:n, n + self._index[agent]].tolist()
+        )
 
-    def appropriateness(self, agent: str) -> Array:
+    def appropriateness(self, agent: str) -> Floats:
         """What the people present would think of each behavior now.
 
         The mean over all people of their preference times how strongly each would
@@ -308,7 +310,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self.life.appropriateness(self._index[agent])
+        return self.simulation.appropriateness(self._index[agent])
 
     def opinion(self, agent: str) -> dict[str, int]:
         """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1).
@@ -317,7 +319,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self.life.people.opinions(self._index[agent])
+        return self.simulation.people.opinions(self._index[agent])
 
 
 def _repeated(space: spaces.Box, times: int) -> spaces.Box:

@@ -28,7 +28,7 @@ from pettingzoo.utils.env import AECEnv
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from household.environment import Household
-from household.scenario import Scenario
+from household.scenario.scenario import Scenario
 
 # The composition root: the one place where the simulated home meets the policies of
 # its people; everything else in this package knows only their contract.

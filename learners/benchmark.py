@@ -12,9 +12,9 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.adaptive import AdaptiveAnalogy
-from learners.analogy import Analogy, Canonical, Propagation
-from learners.credit import Designated
+from learners.analogy.adaptive import AdaptiveAnalogy
+from learners.analogy.operators import Analogy, Canonical, Propagation
+from learners.credit.rules import Designated
 from learners.experience import Experience, Feedback
 from learners.qlearner import QLearner
 

@@ -7,32 +7,32 @@ from typing import Any, cast
 
 import numpy as np
 
-from learners.adaptive import AdaptiveAnalogy
-from learners.advice import Advice
-from learners.analogy import Canonical, Propagation, RemoveEntity, SwapRoles
-from learners.credit import Designated, Trace
+from learners.analogy.adaptive import AdaptiveAnalogy
+from learners.analogy.operators import Canonical, Propagation, RemoveEntity, SwapRoles
+from learners.baselines.advise import Advise
+from learners.baselines.bounds import BestConstant, Oracle, OracleCredit, RandomChoice
+from learners.baselines.coach import Coach
+from learners.baselines.delay_density import DelayDensity
+from learners.baselines.e_coach import ECoach
+from learners.baselines.fixed_shift import FixedShift
+from learners.baselines.full_sharing import FullSharing
+from learners.baselines.hierarchical_thompson import HierarchicalThompson
+from learners.baselines.hysteretic import Hysteretic
+from learners.baselines.i_sabl import ISabl
+from learners.baselines.no_sharing import NoSharing
+from learners.baselines.sign_asymmetric import SignAsymmetric
+from learners.baselines.skip_silence import SkipSilence
+from learners.baselines.symmetric import SymmetricQ
+from learners.baselines.tamer import Tamer
+from learners.baselines.travel_posterior import TravelPosterior
+from learners.baselines.uniform_window import UniformWindow
+from learners.credit.advice import Advice
+from learners.credit.heuristics import AttentionShift, FixedDelay, MostRecent
+from learners.credit.rules import Designated, Trace
 from learners.errors import ParameterError, UnknownNameError
-from learners.heuristics import AttentionShift, FixedDelay, MostRecent
 from learners.learner import Learner
 from learners.qlearner import QLearner
-from learners.rates import AsynchronousRate, SynchronousRate
-from learners.rivals.advise import Advise
-from learners.rivals.bounds import BestConstant, Oracle, OracleCredit, RandomChoice
-from learners.rivals.coach import Coach
-from learners.rivals.delay_density import DelayDensity
-from learners.rivals.e_coach import ECoach
-from learners.rivals.fixed_shift import FixedShift
-from learners.rivals.full_sharing import FullSharing
-from learners.rivals.hierarchical_thompson import HierarchicalThompson
-from learners.rivals.hysteretic import Hysteretic
-from learners.rivals.i_sabl import ISabl
-from learners.rivals.no_sharing import NoSharing
-from learners.rivals.sign_asymmetric import SignAsymmetric
-from learners.rivals.skip_silence import SkipSilence
-from learners.rivals.symmetric import SymmetricQ
-from learners.rivals.tamer import Tamer
-from learners.rivals.travel_posterior import TravelPosterior
-from learners.rivals.uniform_window import UniformWindow
+from learners.tabular.rates import AsynchronousRate, SynchronousRate
 
 Parts = Callable[..., dict[str, Any]]
 """Makes settings from what a recipe needs; `dict` passes that on as it is."""

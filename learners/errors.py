@@ -26,7 +26,7 @@ class ParameterError(LearnerError):
 
 
 class StateError(LearnerError):
-    """A state that lacks what an analogy asks of it (see `learners.analogy.State`)."""
+    """A state that lacks what an analogy asks of it (see `learners.analogy`)."""
 
 
 class SavedFileError(LearnerError):

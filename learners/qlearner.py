@@ -4,16 +4,16 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from learners.analogy import Analogy
+from learners.analogy.operators import Analogy
 from learners.checks import check_range
-from learners.credited import Assignment, CreditedLearner
 from learners.errors import ParameterError
 from learners.experience import Experience
 from learners.exploration import Estimates
-from learners.qtable import Change, QTable
-from learners.rates import Factors, Rate, SocialRate
 from learners.saving import DERIVED, saved
-from learners.updates import q_target, td_error
+from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.qtable import Change, QTable
+from learners.tabular.rates import Factors, Rate, SocialRate
+from learners.tabular.updates import q_target, td_error
 
 
 class Target(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any, Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.analogy import is_state
+from learners.analogy.operators import is_state
 from learners.catalog import make_learner
 from learners.checks import check_range
 from learners.errors import ParameterError, UnknownRobotError

@@ -20,7 +20,7 @@ from learners.learner import Credit, Learner
 from learners.saving import saved
 
 if TYPE_CHECKING:
-    from household.people.feedback import Feedback as Touch
+    from household.feedback import Feedback as Touch
 
 # So that what was learned in a household can be saved.
 saved(Situation)

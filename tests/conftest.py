@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 
 from household.activity import Activity
+from household.config.toml import shipped
+from household.feedback import Cause
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
-from household.people.feedback import Cause
 from household.people.mind import Judgements, Percepts
-from household.records import shipped
-from household.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
+from household.scenario.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
 
-SHIPPED = tuple(shipped("scenarios"))
+SHIPPED = tuple(shipped("scenario"))
 
 
 def pytest_generate_tests(metafunc):

@@ -105,9 +105,9 @@ def test_what_the_wheel_holds_runs_from_an_empty_folder(unpacked, tmp_path):
     (tmp_path / "empty").mkdir()
     code = (
         "from household import household_v0\n"
-        "from household.records import shipped\n"
+        "from household.config.toml import shipped\n"
         "import household\n"
-        "for name in shipped('scenarios'):\n"
+        "for name in shipped('scenario'):\n"
         "    household_v0.parallel_env(name).reset(seed=1)\n"
         "print(household.__file__)\n"
     )

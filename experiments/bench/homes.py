@@ -42,9 +42,9 @@ def household(
         home: Where they live.
     """
     from household import household_v0
-    from household.records import shipped
+    from household.config.toml import shipped
 
-    personas = islice(cycle(sorted(shipped("people/personas"))), n_people)
+    personas = islice(cycle(sorted(shipped("persona"))), n_people)
     people = [{"name": f"p{i}", "persona": kind} for i, kind in enumerate(personas)]
     robots = [{"position": spot} for spot in _spots(home, n_robots)]
     return household_v0.parallel_env(
@@ -55,7 +55,7 @@ def household(
 def _spots(home: str | FloorPlan, n: int) -> list[tuple[float, float]]:
     """Places for robots, spread over the home by chance, always the same."""
     from household.home.floorplan import FloorPlan, load_floorplan
-    from household.home.routes import routes_of
+    from household.home.navigation.routes import routes_of
 
     plan = home if isinstance(home, FloorPlan) else load_floorplan(home)
     routes, entrance = routes_of(plan), np.array(plan.regions[0].center)

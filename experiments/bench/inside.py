@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from household.environment import Household
 
 PARTS = {
-    "robots set out": "life._move_robots",
-    "everybody walks, people touch": "life._walk_and_touch",
-    "heads turn": "life._look_around",
-    "everybody perceives": "life._perceive",
-    "people judge": "life.people.judge",
-    "people decide and set out": "life.people.decide",
+    "robots set out": "simulation._move_robots",
+    "everybody walks, people touch": "simulation._walk_and_touch",
+    "heads turn": "simulation._look_around",
+    "everybody perceives": "simulation._perceive",
+    "people judge": "simulation.people.judge",
+    "people decide and set out": "simulation.people.decide",
     "observations, situations, infos": "_results",
 }
 """The parts of a step: the methods of the environment that they are done by."""
@@ -85,7 +85,7 @@ def _walk(env: Household) -> Callable[[], float]:
     All walk in different directions, and back in the next period.
     """
     env.reset(seed=0)
-    space, scenario = env.life.crowd.space, env.scenario
+    space, scenario = env.simulation.crowd.space, env.scenario
     ticks = range(round(scenario.decision_period / scenario.physics_period))
     angles = [2 * math.pi * i / BEINGS for i in range(BEINGS)]
     signs = cycle((PACE, -PACE))

@@ -22,7 +22,7 @@ ACTORS = 4
 
 def updates(settings: Settings) -> Iterator[Measure]:
     """Yields the time of an update with canonical analogy, against the actors."""
-    from learners.analogy import Canonical
+    from learners.analogy.operators import Canonical
     from learners.benchmark import microseconds
 
     found = [
@@ -90,9 +90,9 @@ def _lived(
     marks: tuple[int, ...], gauge: Callable[[], float]
 ) -> Iterator[tuple[float, float]]:
     """Reads a gauge before and after what is learned up to each mark."""
-    from learners.analogy import Canonical
+    from learners.analogy.operators import Canonical
     from learners.benchmark import N_BEHAVIORS, crowds, experiences
-    from learners.credit import Designated
+    from learners.credit.rules import Designated
     from learners.qlearner import QLearner
 
     rng = np.random.default_rng(0)

@@ -71,9 +71,9 @@ def _per_minute(workers: int, settings: Settings) -> float:
     The time goes from when every worker has finished a trial, and so has begun, to
     when the wanted number more are done, and every worker has still something to do.
     """
-    from experiments.engine import open_engine, run_trials
-    from experiments.runner import run_trial
-    from experiments.trial import Condition, Trial
+    from experiments.running.engine import open_engine, run_trials
+    from experiments.running.study import Condition, Trial
+    from experiments.running.trial import run_trial
 
     condition = Condition(
         name="bench",

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from experiments.results import commit, to_json, versions, write_text, write_whole
+from experiments.running.store import commit, to_json, versions, write_text, write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

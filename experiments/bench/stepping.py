@@ -170,7 +170,7 @@ def _largest(settings: Settings) -> Iterator[Measure]:
 
 def _homes(settings: Settings) -> dict[int, Household]:
     """Households in generated homes, by the number of walls and sides of furniture."""
-    from household.home.generator import generate
+    from household.home.sources.generator import generate
 
     plans = [generate(1, rooms=rooms) for rooms in settings.rooms]
     return {len(plan.solid_segments): household(4, 2, plan) for plan in plans}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from experiments.paper import Experiment
-    from experiments.trial import Study
+    from experiments.running.study import Study
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,8 +54,8 @@ class Reproduce:
 
     def run(self) -> None:
         """Runs what is missing, then publishes."""
-        from experiments.publish import publish
-        from experiments.summary import show
+        from experiments.report.publish import publish
+        from experiments.report.terminal import show
 
         console = new_console()
         self._run_missing(console, self._chosen())
@@ -82,7 +82,7 @@ class Reproduce:
         return select(numbers)
 
     def _studies(self, experiments: tuple[Experiment, ...]) -> list[Study]:
-        from experiments.paper import factorial, sensitivity
+        from experiments.studies import factorial, sensitivity
 
         seeds = tuple(range(self.seeds))
         studies = [each.study(seeds) for each in experiments]
@@ -100,9 +100,9 @@ class Reproduce:
     def _run_missing(
         self, console: Console, experiments: tuple[Experiment, ...]
     ) -> None:
-        from experiments.engine import open_engine
-        from experiments.progress import progress
-        from experiments.reproduce import prepare, run
+        from experiments.running.engine import open_engine
+        from experiments.running.jobs import prepare, run
+        from experiments.running.progress import progress
 
         engine = open_engine(self.engine, self.workers)
         studies = self._studies(experiments)
@@ -130,8 +130,8 @@ class Report:
 
     def run(self) -> None:
         """Publishes what is stored."""
-        from experiments.publish import publish
-        from experiments.summary import show
+        from experiments.report.publish import publish
+        from experiments.report.terminal import show
 
         show(new_console(), publish(self.directory))
 

@@ -11,7 +11,7 @@ from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError
 
 if TYPE_CHECKING:
-    from household.scenario import Scenario
+    from household.scenario.scenario import Scenario
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,11 +23,11 @@ class Scenarios:
         from rich.box import SIMPLE_HEAD
         from rich.table import Table
 
-        from household.records import shipped
-        from household.scenario import read_scenario
+        from household.config.toml import shipped
+        from household.scenario.scenario import read_scenario
 
         table = Table("name", "who", "what", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-        for name in shipped("scenarios"):
+        for name in shipped("scenario"):
             scenario = read_scenario(name)
             table.add_row(name, _size(scenario), scenario.description)
         new_console().print(table)
@@ -44,8 +44,8 @@ class Check:
         """Prints every fault on stderr, or what the scenario is."""
         import sys
 
-        from household.scenario import read_scenario
-        from household.scenario_check import check_file
+        from household.scenario.scenario import read_scenario
+        from household.scenario.validation import check_file
 
         faults = check_file(self.file)
         if faults:

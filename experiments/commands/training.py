@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import polars
     from rich.console import Console
 
-    from experiments.trial import Trial
+    from experiments.running.study import Trial
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,8 +42,8 @@ class Train:
 
     def run(self) -> None:
         """Runs one episode and stores what came of it."""
-        from experiments.results import make_directory
-        from experiments.runner import describe_condition
+        from experiments.running.store import make_directory
+        from experiments.running.trial import describe_condition
 
         trial = self._trial()
         describe_condition(trial.condition)  # what is wrong with it is said here
@@ -51,7 +51,7 @@ class Train:
         self._live(new_console(), trial)
 
     def _trial(self) -> Trial:
-        from experiments.trial import Condition, Trial
+        from experiments.running.study import Condition, Trial
 
         if self.decisions < 1:
             raise ExperimentError(f"--decisions must be at least 1: {self.decisions}.")
@@ -66,10 +66,10 @@ class Train:
         return Trial(condition=condition, seed=self.seed)
 
     def _live(self, console: Console, trial: Trial) -> None:
-        from experiments.progress import Steps, progress
-        from experiments.results import write_whole
-        from experiments.rows import Rows
-        from experiments.runner import play
+        from experiments.running.progress import Steps, progress
+        from experiments.running.store import write_whole
+        from experiments.running.trial import play
+        from experiments.running.trial_table import Rows
         from policies.recording import RecordingObserver
 
         rows = Rows()
@@ -83,7 +83,7 @@ class Train:
 
     def _tell(self, console: Console, table: polars.DataFrame) -> None:
         """Says how it went and where everything lies."""
-        from experiments.measures import final_reward, touches
+        from experiments.analysis.measures import final_reward, touches
 
         values = touches(table)["value"]
         console.print(

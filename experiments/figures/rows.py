@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 import polars as pl
 
-from experiments import measures
+from experiments.analysis import measures
+from experiments.analysis.statistics import FloatArray, mean_band
+from experiments.analysis.target_situations import Scene
 from experiments.figures.canvas import DASHES, INK, PALETTE
-from experiments.scenes import Scene
-from experiments.statistics import FloatArray, mean_band
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

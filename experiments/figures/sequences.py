@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import polars as pl
 
-from experiments import measures
+from experiments.analysis import measures
+from experiments.analysis.statistics import FloatArray, mean
 from experiments.figures.canvas import INK, PALETTE
 from experiments.figures.rows import (
     MINUTE,
@@ -21,7 +22,6 @@ from experiments.figures.rows import (
     per_trial,
     time_share,
 )
-from experiments.statistics import FloatArray, mean
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import polars as pl
 
-from experiments.tables import Entry, Table
+from experiments.analysis.tables import Entry, Table
 
 ACTIVITIES = (
     "entering",

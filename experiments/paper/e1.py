@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import polars as pl
 
-from experiments import measures
-from experiments.claims import Claim
+from experiments.analysis import measures
+from experiments.analysis.claims import Claim
+from experiments.analysis.target_situations import Scene
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
-from experiments.scenes import Scene
-from experiments.trial import Condition
+from experiments.running.study import Condition
 
 PLAY = Scene(name="PLAY", role="playing")
 RIGHT = "play"

@@ -7,13 +7,13 @@ from functools import partial
 import numpy as np
 import polars as pl
 
-from experiments import measures, social
-from experiments.claims import Claim
+from experiments.analysis import measures, social
+from experiments.analysis.claims import Claim
+from experiments.analysis.statistics import FloatArray, mean, proportion
+from experiments.analysis.target_situations import Scene
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
-from experiments.scenes import Scene
-from experiments.statistics import FloatArray, mean, proportion
-from experiments.trial import Condition
+from experiments.running.study import Condition
 
 PLAY = Scene(name="PLAY", role="playing", attended=True)
 IGNORE = Scene(name="IGNORE", role="playing", attended=False)

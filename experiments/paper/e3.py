@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import polars as pl
 
-from experiments import measures, social
-from experiments.claims import Claim
-from experiments.evaluation import BEYOND, Method
+from experiments.analysis import measures, social
+from experiments.analysis.claims import Claim
+from experiments.analysis.evaluation import BEYOND, Method
+from experiments.analysis.statistics import mean
+from experiments.analysis.target_situations import Scene
 from experiments.figures import (
     BehaviorSequence,
     CumulativeReward,
@@ -17,9 +19,7 @@ from experiments.figures import (
     SituationSequence,
 )
 from experiments.paper.experiment import Experiment, PaperFigure
-from experiments.scenes import Scene
-from experiments.statistics import mean
-from experiments.trial import Condition
+from experiments.running.study import Condition
 
 S11 = Scene(name="S11", role="playing", attended=True)
 S52 = Scene(name="S52", role="calling", attended=False)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from experiments import measures, social
-from experiments.claims import Claim
+from experiments.analysis import measures, social
+from experiments.analysis.claims import Claim
+from experiments.analysis.statistics import mean
 from experiments.paper import table_1
 from experiments.paper.e3 import (
     CREDIT,
@@ -14,8 +15,7 @@ from experiments.paper.e3 import (
     figure,
 )
 from experiments.paper.experiment import Experiment
-from experiments.statistics import mean
-from experiments.trial import Condition
+from experiments.running.study import Condition
 
 DESIGNATED = "designated"
 CONTROLS = (IMMEDIATE, SKIP)

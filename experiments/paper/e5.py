@@ -7,17 +7,17 @@ from functools import partial
 import numpy as np
 import polars as pl
 
-from experiments import social
-from experiments.claims import Claim
-from experiments.evaluation import BEYOND, Method
+from experiments.analysis import social
+from experiments.analysis.claims import Claim
+from experiments.analysis.evaluation import BEYOND, Method
+from experiments.analysis.measures import Measure, of, of_each
+from experiments.analysis.statistics import FloatArray, mean
+from experiments.analysis.tables import Table
 from experiments.figures import CumulativeReward, TouchesByPhase
-from experiments.measures import Measure, of, of_each
 from experiments.paper.cells import CELLS, reached, table
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.paper.table_1 import computed
-from experiments.statistics import FloatArray, mean
-from experiments.tables import Table
-from experiments.trial import Condition
+from experiments.running.study import Condition
 
 SWAP, ALONE, SKIP = "swap", "no_analogy", "skip_silence"
 CONTROLS = (ALONE, SKIP)

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 
 import polars as pl
 
-from experiments import measures
-from experiments.claims import Claim, Finding
-from experiments.evaluation import Method
+from experiments.analysis import measures
+from experiments.analysis.claims import Claim, Finding
+from experiments.analysis.evaluation import Method
+from experiments.analysis.tables import Table
+from experiments.analysis.target_situations import Scene
 from experiments.figures import Cell, Column, CumulativeReward, Row, TouchFrequency
 from experiments.figures.rows import legend_above
-from experiments.runner import run_trial
-from experiments.scenes import Scene
-from experiments.tables import Table
-from experiments.trial import Condition, Study
+from experiments.running.study import Condition, Study
+from experiments.running.trial import run_trial
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

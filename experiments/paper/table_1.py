@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 import polars as pl
 
-from experiments.statistics import Estimate, FloatArray
-from experiments.tables import Entry, Table
-from learners.credit import Designated
+from experiments.analysis.statistics import Estimate, FloatArray
+from experiments.analysis.tables import Entry, Table
+from learners.credit.heuristics import BeforeApproach, Heuristic, MostRecent
+from learners.credit.history import History
+from learners.credit.rules import Designated
+from learners.credit.transitions import SituationNetwork
 from learners.experience import Experience, Feedback
-from learners.heuristics import BeforeApproach, Heuristic, MostRecent
-from learners.history import History
-from learners.transitions import SituationNetwork
 
 SIGMA_STM, SIGMA_RWD = 1.6, 1.0
 """[s] and without unit; inferred from the table (docs/deviations.md, 22)."""

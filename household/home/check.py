@@ -10,20 +10,14 @@ from functools import lru_cache
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import label
 
+from household.compiled.arrays import Floats, Indices, Mask
+from household.config.toml import Point
 from household.errors import HouseholdError
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Room, Wall
-from household.home.routes import (
-    CLEARANCE,
-    distance_to_box,
-    distance_to_segments,
-    routes_of,
-)
-from household.records import Point
-
-Array = NDArray[np.float64]
+from household.home.geometry import distance_to_box, distance_to_segments
+from household.home.navigation.routes import CLEARANCE, routes_of
 
 LARGEST = 100.0
 """Longest side of a home [m]; a villa is 20 m, and memory grows with the area."""
@@ -210,7 +204,7 @@ def _sides(plan: FloorPlan, door: Door) -> tuple[Point, Point]:
     return (x + dx, y + dy), (x - dx, y - dy)
 
 
-def _outdoors(plan: FloorPlan, segments: Array) -> NDArray[np.bool_]:
+def _outdoors(plan: FloorPlan, segments: Floats) -> Mask:
     """Marks the cells of a fine grid that can be reached from outside the walls."""
     reach = max(plan.wall_thickness / 2, FINE)
     edge = int(reach / FINE) + 2
@@ -225,17 +219,17 @@ def _outdoors(plan: FloorPlan, segments: Array) -> NDArray[np.bool_]:
         gaps = distance_to_segments(middles, row[None])
         near &= (gaps > reach).reshape(near.shape)
     parts, _ = label(open_)
-    outdoors: NDArray[np.bool_] = parts == parts[0, 0]
+    outdoors: Mask = parts == parts[0, 0]
     return outdoors
 
 
-def _cell(plan: FloorPlan, point: Array) -> NDArray[np.intp]:
+def _cell(plan: FloorPlan, point: Floats) -> Indices:
     """Indices of the fine cell that holds a point."""
-    cell: NDArray[np.intp] = np.floor((point - plan.lower) / FINE).astype(int) + RIM
+    cell: Indices = np.floor((point - plan.lower) / FINE).astype(int) + RIM
     return cell
 
 
-def _at(plan: FloorPlan, outdoors: NDArray[np.bool_], point: Point) -> bool:
+def _at(plan: FloorPlan, outdoors: Mask, point: Point) -> bool:
     """Whether a point is outdoors."""
     cell = np.clip(_cell(plan, np.array(point)), 0, np.array(outdoors.shape) - 1)
     return bool(outdoors[tuple(cell)])

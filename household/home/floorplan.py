@@ -12,10 +12,10 @@ from typing import Annotated, Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from household.activity import Activity, activity_of
-from household.records import Point, Record, convert, locate, read_toml
+from household.compiled.arrays import Floats
+from household.config.toml import Point, Record, convert, locate, read_toml
 
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 RegionActivity = Literal[
@@ -129,36 +129,36 @@ class FloorPlan(Record, frozen=True, kw_only=True):
     rooms: tuple[Room, ...] = ()
 
     @property
-    def lower(self) -> NDArray[np.float64]:
+    def lower(self) -> Floats:
         """Lower left corner of the walls' bounding box, shape (2,) [m]."""
-        corners: NDArray[np.float64] = self.wall_segments.reshape(-1, 2)
+        corners: Floats = self.wall_segments.reshape(-1, 2)
         return corners.min(axis=0)
 
     @property
-    def upper(self) -> NDArray[np.float64]:
+    def upper(self) -> Floats:
         """Upper right corner of the walls' bounding box, shape (2,) [m]."""
-        corners: NDArray[np.float64] = self.wall_segments.reshape(-1, 2)
+        corners: Floats = self.wall_segments.reshape(-1, 2)
         return corners.max(axis=0)
 
     @property
-    def wall_segments(self) -> NDArray[np.float64]:
+    def wall_segments(self) -> Floats:
         """Walls and closed doors as (n, 4) rows of x1, y1, x2, y2 [m]."""
         closed = [(*door.start, *door.end) for door in self.doors if not door.open]
         walls = [(*wall.start, *wall.end) for wall in self.walls]
         return np.array(walls + closed, dtype=np.float64)
 
     @property
-    def solid_segments(self) -> NDArray[np.float64]:
+    def solid_segments(self) -> Floats:
         """What blocks the way: walls, closed doors, sides of furniture, (n, 4)."""
         return np.vstack([self.wall_segments, _sides(self.furniture)])
 
     @property
-    def opaque_segments(self) -> NDArray[np.float64]:
+    def opaque_segments(self) -> Floats:
         """What blocks sight: walls, closed doors, sides of tall furniture, (n, 4)."""
         return np.vstack([self.wall_segments, _sides(self._tall)])
 
     @property
-    def parting_walls(self) -> NDArray[np.float64]:
+    def parting_walls(self) -> Floats:
         """Walls and closed doors that can stand between two at home, (n, 4).
 
         Not those round it: the whole home lies on one side of each.
@@ -168,7 +168,7 @@ class FloorPlan(Record, frozen=True, kw_only=True):
         return walls[np.array(parts)]
 
     @property
-    def tall_diagonals(self) -> NDArray[np.float64]:
+    def tall_diagonals(self) -> Floats:
         """Diagonals of tall furniture, (n, 4).
 
         From outside, a line of sight through a box crosses one of them or both.
@@ -181,7 +181,7 @@ class FloorPlan(Record, frozen=True, kw_only=True):
         return [box for box in self.furniture if box.tall]
 
     @property
-    def region_circles(self) -> NDArray[np.float64]:
+    def region_circles(self) -> Floats:
         """Activity regions as (n_regions, 3) rows of x, y, radius [m]."""
         return np.array([(*r.center, r.radius) for r in self.regions], dtype=np.float64)
 
@@ -193,14 +193,14 @@ class FloorPlan(Record, frozen=True, kw_only=True):
         return next((r for r in self.regions if r.activity == name), None)
 
 
-def _has_on_both_sides(wall: NDArray[np.float64], points: NDArray[np.float64]) -> bool:
+def _has_on_both_sides(wall: Floats, points: Floats) -> bool:
     """Whether points lie on both sides of the line through a wall."""
     x1, y1, x2, y2 = wall
     side = (x2 - x1) * (points[:, 1] - y1) - (y2 - y1) * (points[:, 0] - x1)
     return bool(side.min() < -ON_THE_LINE and side.max() > ON_THE_LINE)
 
 
-def _sides(boxes: Iterable[Furniture]) -> NDArray[np.float64]:
+def _sides(boxes: Iterable[Furniture]) -> Floats:
     """The sides of boxes, four rows of x1, y1, x2, y2 for each [m]."""
     sides = [(*box.corners[i - 1], *box.corners[i]) for box in boxes for i in range(4)]
     return np.array(sides, dtype=np.float64).reshape(-1, 4)
@@ -213,5 +213,5 @@ def load_floorplan(name: str) -> FloorPlan:
     Raises:
         HouseholdError: If it cannot be found or a field is wrong.
     """
-    path = locate(name, "home/homes", "home")
+    path = locate(name, "home")
     return convert(read_toml(path), FloorPlan, str(path))

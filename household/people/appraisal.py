@@ -9,13 +9,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import Floats, Indices, Mask
-from household.compiled import compiled
+from household.compiled.arrays import Floats, Indices, Mask
+from household.compiled.jit import compiled
 from household.people.mind import Judgements
-from household.people.norms import norm_table
 from household.people.person import Person
 from household.people.traits import Traits, traits_of
-from household.scenario import Scenario
+from household.scenario.norms import norm_table
+from household.scenario.scenario import Scenario
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.arrays import Floats, Indices, Mask, Zeros
-from household.compiled import compiled
-from household.people.persona import Persona
+from household.compiled.arrays import Floats, Indices, Mask, Zeros
+from household.compiled.jit import compiled
 from household.people.traits import Traits
+from household.scenario.persona import Persona
 
 
 class Feelings:

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from household.activity import Activity
-from household.people.feedback import Cause
+from household.compiled.arrays import Floats, Mask
+from household.feedback import Cause
 from household.people.mind import OWN_ACTIVITY, Intentions, Minds, Percepts, Wish
 
 ACTIVITIES = tuple(Activity)
@@ -56,10 +56,10 @@ class Percept:
     touched: bool
     mood: float
     judgements: Sequence[Judgement]
-    pleasing: NDArray[np.bool_]
-    moving: NDArray[np.bool_]
-    sees: NDArray[np.bool_]
-    level: NDArray[np.float64]
+    pleasing: Mask
+    moving: Mask
+    sees: Mask
+    level: Floats
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import NOBODY, Floats, Indices, Mask
-from household.people.feedback import Cause, Kind
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.feedback import Cause, Kind
 
 OWN_ACTIVITY = NOBODY
 """To look at the object of the own activity, or at the way ahead in walking."""

@@ -7,10 +7,11 @@ from functools import partial
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import NOBODY, Floats, Indices, Mask, Zeros
-from household.compiled import FLOATS_2D, INDICES, MASK, compiled, specialized
-from household.crowd import Crowd
-from household.locomotion import within_reach
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros
+from household.compiled.jit import FLOATS_2D, INDICES, MASK, bind, compiled
+from household.home.places import NOWHERE, Places, place_of
+from household.motion.crowd import Crowd
+from household.motion.progress import within_reach
 from household.people.appraisal import Appraisals, appraise
 from household.people.feelings import Feelings, live_through
 from household.people.mind import (
@@ -20,12 +21,11 @@ from household.people.mind import (
     Wish,
 )
 from household.people.person import everyone_of
-from household.people.places import NOWHERE, Places, place_of
 from household.people.traits import Traits, traits_of
 from household.perception.kernel import between
 from household.perception.senses import Senses
 from household.robots.robots import Robots
-from household.scenario import Scenario
+from household.scenario.scenario import Scenario
 
 MakeMinds = Callable[[Scenario], Minds]
 
@@ -51,7 +51,7 @@ class People:
         activity: The role that each plays, as `Activity` values, shape (n,).
         focus: What each looks at where it is, NaN for nothing, shape (n, 2) [m].
         touched: Whose wish to touch was fulfilled in this step, shape (n,).
-        quarry: Index of the body that each is out to touch, or `NOBODY`, shape (n,).
+        target: Index of the body that each is out to touch, or `NOBODY`, shape (n,).
     """
 
     intentions: Intentions
@@ -73,16 +73,14 @@ class People:
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
         self._near = np.zeros(n, np.bool_)
-        self._find_at_hand = specialized(
-            _at_hand, then=(FLOATS_2D, INDICES, FLOATS_2D, MASK)
-        )
+        self._find_at_hand = bind(_at_hand, then=(FLOATS_2D, INDICES, FLOATS_2D, MASK))
         self.place = np.full(n, NOWHERE, np.intp)
         self.activity: Indices = zeros((n,), np.intp)
         self.activity[:] = Activity.UNKNOWN
         self.touched = np.zeros(n, np.bool_)
-        self.quarry = np.full(n, NOBODY, np.intp)
+        self.target = np.full(n, NOBODY, np.intp)
         self.focus = np.full((n, 2), np.nan)
-        # Intentions come from minds, which anybody may write: not `specialized`.
+        # Intentions come from minds, which anybody may write: not `bind`.
         self._show = partial(
             _show,
             self.place,
@@ -112,7 +110,7 @@ class People:
         self.touched[:] = False
         self.appraisals.forget()
         self._claimed = [NOWHERE] * len(self.everyone)
-        self.quarry[:] = NOBODY
+        self.target[:] = NOBODY
         self._wishes, self._percepts = {}, None
         self.intentions = self._minds.reset(rngs)
         self._claim_places()
@@ -180,7 +178,7 @@ class People:
         changed = [] if wishes is before else self._take_up(wishes, before)
         self.touched.fill(False)
         at_hand = self._at_hand(crowd, senses)
-        crowd.send_astray(self._spots, self.quarry, now, but=at_hand)
+        crowd.send_who_needs_replan(self._spots, self.target, now, but=at_hand)
         for i in changed:
             if i not in at_hand and crowd.walks(i):
                 # Who was on its way elsewhere is so no longer.
@@ -234,7 +232,7 @@ class People:
                 self._forget_wish(i)
             else:
                 self._wishes[i] = wish
-                self.quarry[i] = len(wishes) + wish.robot
+                self.target[i] = len(wishes) + wish.robot
         return changed
 
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
@@ -250,12 +248,12 @@ class People:
 
     def _forget_wish(self, i: int) -> None:
         self._wishes.pop(i, None)
-        self.quarry[i] = NOBODY
+        self.target[i] = NOBODY
 
     def _at_hand(self, crowd: Crowd, senses: Senses) -> list[int]:
         """Whose hand can touch what it is out to touch from where it stands."""
         anybody = self._wishes and self._find_at_hand(
-            crowd.position, self.quarry, senses.walls, self._near
+            crowd.position, self.target, senses.walls, self._near
         )
         return self._near.nonzero()[0].tolist() if anybody else []
 
@@ -306,22 +304,22 @@ def _judge(
 
 
 @compiled
-def _at_hand(position: Floats, quarry: Indices, walls: Floats, near: Mask) -> bool:
+def _at_hand(position: Floats, target: Indices, walls: Floats, near: Mask) -> bool:
     """Who could touch what it is after: it is within reach, with no wall between.
 
     Args:
         position: Shape (n, 2) [m].
-        quarry: Whom each of the first m bodies is after, `NOBODY` for none, shape (m,).
+        target: Whom each of the first m bodies is after, `NOBODY` for none, shape (m,).
         walls: As in `between`, shape (4, k) [m].
         near: Set to who could, shape (m,).
 
     Returns:
         Whether anybody could.
     """
-    if not within_reach(position, quarry, REACH, near):
+    if not within_reach(position, target, REACH, near):
         return False
-    for i in range(len(quarry)):
-        near[i] = near[i] and between(position, i, quarry[i], walls) == 0
+    for i in range(len(target)):
+        near[i] = near[i] and between(position, i, target[i], walls) == 0
     return bool(near.any())
 
 

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-from household.arrays import Floats
-from household.people.norms import norm_table
-from household.people.persona import Persona
-from household.people.population import preferences
-from household.scenario import Scenario
+from household.compiled.arrays import Floats
+from household.scenario.norms import norm_table
+from household.scenario.persona import Persona
+from household.scenario.population import preferences
+from household.scenario.scenario import Scenario
 
 
 @dataclass(frozen=True, slots=True)

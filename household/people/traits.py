@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from household.people.persona import Persona
+from household.scenario.persona import Persona
 
 Traits = NDArray[np.void]
 """A structured array with a row for each person; rows have a persona's constants under

@@ -8,32 +8,15 @@ in, arrays out; entities are indexed people first, then robots.
 import numpy as np
 from numpy.typing import NDArray
 
-from household.compiled import compiled
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+from household.compiled.arrays import Floats, Integers, Mask
+from household.compiled.jit import compiled
 
 NEAREST = 0.3
 """Distance below which a sound gets no louder [m]: an ear is not inside its source."""
 
 
 @compiled
-def crosses(ax: float, ay: float, bx: float, by: float, segment: Array) -> bool:
-    """Whether the line from a to b crosses a segment (x1, y1, x2, y2)."""
-    x1, y1, x2, y2 = segment
-    dx, dy = bx - ax, by - ay
-    side1 = dx * (y1 - ay) - dy * (x1 - ax)
-    side2 = dx * (y2 - ay) - dy * (x2 - ax)
-    if side1 * side2 > 0.0:
-        return False
-    ex, ey = x2 - x1, y2 - y1
-    side3 = ex * (ay - y1) - ey * (ax - x1)
-    side4 = ex * (by - y1) - ey * (bx - x1)
-    return side3 * side4 <= 0.0 and side1 != side2
-
-
-@compiled
-def between(position: Array, i: int, j: int, columns: Array) -> int:
+def between(position: Floats, i: int, j: int, columns: Floats) -> int:
     """How many segments stand between two entities, as `crosses` has it.
 
     Args:
@@ -49,7 +32,7 @@ def between(position: Array, i: int, j: int, columns: Array) -> int:
 
 
 @compiled
-def _sides(position: Array, columns: Array) -> Array:
+def _sides(position: Floats, columns: Floats) -> Floats:
     """On which side of each segment each entity is, by the sign, shape (n, m)."""
     x1, y1, x2, y2 = columns[0], columns[1], columns[2], columns[3]
     sides = np.empty((len(position), columns.shape[1]))
@@ -63,10 +46,10 @@ def _sides(position: Array, columns: Array) -> Array:
 
 @compiled
 def _count_between(
-    position: Array,
+    position: Floats,
     i: int,
-    columns: Array,
-    sides: Array,
+    columns: Floats,
+    sides: Floats,
     asked: Mask,
     count: NDArray[np.int32],
 ) -> None:
@@ -90,14 +73,14 @@ def _count_between(
 
 @compiled
 def separate(
-    before: Array,
-    position: Array,
-    walls: Array,
-    tall: Array,
+    before: Floats,
+    position: Floats,
+    walls: Floats,
+    tall: Floats,
     wall_loss: float,
     silent: int,
-    hidden: NDArray[np.int64],
-    loss: Array,
+    hidden: Integers,
+    loss: Floats,
 ) -> None:
     """Brings up to date what stands between those pairs of which one has moved.
 
@@ -141,12 +124,12 @@ def separate(
 
 @compiled
 def sight(
-    position: Array,
-    gaze: Array,
-    half_view: Array,
-    hidden: NDArray[np.int64],
+    position: Floats,
+    gaze: Floats,
+    half_view: Floats,
+    hidden: Integers,
     sees: Mask,
-    facing: Array,
+    facing: Floats,
 ) -> None:
     """Who sees whom.
 
@@ -179,14 +162,14 @@ def sight(
 
 @compiled
 def attention(
-    position: Array,
+    position: Floats,
     sees: Mask,
-    facing: Array,
-    salience: Array,
-    absorption: Array,
+    facing: Floats,
+    salience: Floats,
+    absorption: Floats,
     width: float,
     distance: float,
-    share: Array,
+    share: Floats,
 ) -> None:
     """The attention matrix: how much of its attention each entity gives to each.
 
@@ -224,7 +207,7 @@ def attention(
 
 
 @compiled
-def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
+def _loss(position: Floats, i: int, j: int, through_walls: float) -> float:
     """What a sound loses between two entities [dB].
 
     A point source loses 6 dB for each doubling of the distance beyond 1 m, and a fixed
@@ -238,7 +221,7 @@ def _loss(position: Array, i: int, j: int, through_walls: float) -> float:
 
 @compiled
 def attend(
-    share: Array, above: float, below: float, now: float, attends: Mask, began: Array
+    share: Floats, above: float, below: float, now: float, attends: Mask, began: Floats
 ) -> bool:
     """Who attends to whom: it begins above one threshold and ends below a lower one.
 
@@ -267,7 +250,7 @@ def attend(
 
 
 @compiled
-def hear(source: Array, loss: Array, level: Array) -> None:
+def hear(source: Floats, loss: Floats, level: Floats) -> None:
     """How loud everybody hears each, at least 0.
 
     Args:
@@ -283,29 +266,29 @@ def hear(source: Array, loss: Array, level: Array) -> None:
 
 @compiled
 def perceive(
-    walls: Array,
-    tall: Array,
+    walls: Floats,
+    tall: Floats,
     wall_loss: float,
     silent: int,
     focus: float,
     distance: float,
     above: float,
     below: float,
-    before: Array,
-    hidden: NDArray[np.int64],
-    loss: Array,
+    before: Floats,
+    hidden: Integers,
+    loss: Floats,
     sees: Mask,
-    facing: Array,
-    share: Array,
-    level: Array,
+    facing: Floats,
+    share: Floats,
+    level: Floats,
     attends: Mask,
-    began: Array,
-    position: Array,
-    gaze: Array,
-    half_view: Array,
-    salience: Array,
-    absorption: Array,
-    source: Array,
+    began: Floats,
+    position: Floats,
+    gaze: Floats,
+    half_view: Floats,
+    salience: Floats,
+    absorption: Floats,
+    source: Floats,
     now: float,
 ) -> bool:
     """All that everybody perceives at a moment; `Senses` says what is what.

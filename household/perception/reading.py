@@ -7,11 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES
+from household.compiled.arrays import Mask
 from household.perception.canonical import Relation
 from household.perception.situation import Situation
-from household.scenario import Scenario
-
-Mask = NDArray[np.bool_]
+from household.scenario.scenario import Scenario
 
 KEPT = 1024
 """So many situations and their parts are remembered, as they recur."""

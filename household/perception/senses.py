@@ -3,17 +3,12 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from household.arrays import Zeros
-from household.compiled import FLOAT, FLOATS, FLOATS_2D, specialized
+from household.compiled.arrays import Floats, Mask, Zeros
+from household.compiled.jit import FLOAT, FLOATS, FLOATS_2D, bind
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
-from household.scenario import PerceptionModel
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
-
+from household.scenario.scenario import PerceptionModel
 
 BATCH = 16
 """So many segments the processor looks at in one go; the rest it takes one by one."""
@@ -31,12 +26,12 @@ class Beings(NamedTuple):
         source: Sound level of each at 1 m, shape (n,) [dB].
     """
 
-    position: Array
-    gaze: Array
-    half_view: Array
-    salience: Array
-    absorption: Array
-    source: Array
+    position: Floats
+    gaze: Floats
+    half_view: Floats
+    salience: Floats
+    absorption: Floats
+    source: Floats
 
 
 class Senses:
@@ -78,12 +73,12 @@ class Senses:
         self._position = np.zeros((n, 2))
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
-        self.attention: Array = zeros((n, n))
+        self.attention: Floats = zeros((n, n))
         self.attends: Mask = zeros((n, n), np.bool_)
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))
-        self._perceive = specialized(
+        self._perceive = bind(
             kernel.perceive,
             self.walls,
             _columns(plan.tall_diagonals),
@@ -125,7 +120,7 @@ class Senses:
         return self._perceive(*beings, now)
 
 
-def _columns(segments: Array) -> Array:
+def _columns(segments: Floats) -> Floats:
     """Segments as columns, filled up to full batches with NaN, which no line crosses.
 
     Args:

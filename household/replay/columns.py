@@ -11,20 +11,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from household.compiled.arrays import Integers
+
 if TYPE_CHECKING:
     import pyarrow as pa
     import rerun as rr
 
     Kind = rr.ComponentDescriptor
 
-Sizes = NDArray[np.int64]
 
 ARCHETYPE = "household.State"
 """Under which exact columns are stored, beside Rerun's own kinds of data."""
 
 
 def vectors(
-    kind: "Kind", values: NDArray[Any], sizes: Sizes | None = None
+    kind: "Kind", values: NDArray[Any], sizes: Integers | None = None
 ) -> "rr.ComponentColumn":
     """Points or arrows.
 
@@ -38,7 +39,7 @@ def vectors(
 
 
 def strips(
-    kind: "Kind", values: NDArray[Any], sizes: Sizes | None = None
+    kind: "Kind", values: NDArray[Any], sizes: Integers | None = None
 ) -> "rr.ComponentColumn":
     """Lines of equally many points, shape (n_moments, n, n_points, 2)."""
     import pyarrow as pa
@@ -51,7 +52,7 @@ def strips(
 
 
 def colors(
-    kind: "Kind", values: NDArray[np.uint32], sizes: Sizes | None = None
+    kind: "Kind", values: NDArray[np.uint32], sizes: Integers | None = None
 ) -> "rr.ComponentColumn":
     """Packed colors, shape (n_moments, n)."""
     import pyarrow as pa
@@ -63,8 +64,8 @@ def colors(
 def texts(
     kind: "Kind",
     among: Sequence[str],
-    which: NDArray[np.int64],
-    sizes: Sizes | None = None,
+    which: Integers,
+    sizes: Integers | None = None,
 ) -> "rr.ComponentColumn":
     """Texts that recur.
 
@@ -136,7 +137,7 @@ def _offsets(count: int, size: int) -> NDArray[np.int32]:
 
 
 def _column(
-    kind: "Kind", values: "pa.Array", size: int | Sizes
+    kind: "Kind", values: "pa.Array", size: int | Integers
 ) -> "rr.ComponentColumn":
     import rerun as rr
 

@@ -5,18 +5,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from household.replay.colors import packed
+from household.compiled.arrays import Floats
 from household.replay.columns import colors, exact, strips, vectors, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
 from household.replay.rows import Buffer
 from household.replay.scenery import LANE, second
 from household.replay.stream import Moments, Stream, moments_of
-from household.scenario import Scenario
-from household.snapshot import Touch
-
-Array = NDArray[np.float64]
+from household.scenario.scenario import Scenario
+from household.simulation.snapshot import Touch
+from household.view.colors import packed
 
 SHOWN = 5.0
 """How long a touch stays on the floor plan [s]."""
@@ -182,7 +180,7 @@ class Events:
         level = ["DEBUG"] * len(text)
         stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
 
-    def _on_lanes(self, events: Sequence[tuple[float, str]]) -> Array:
+    def _on_lanes(self, events: Sequence[tuple[float, str]]) -> Floats:
         """Where times [s] and robots are in the picture of credit, shape (n, 2)."""
         points = [
             (time * self._second, self._robots[robot] * LANE) for time, robot in events

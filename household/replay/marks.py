@@ -5,16 +5,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from household.people.feedback import Feedback
-from household.replay.colors import CARESS, TAP, packed
+from household.compiled.arrays import Floats, Integers, Singles
+from household.feedback import Feedback
 from household.replay.columns import colors, texts, vectors
 from household.replay.scenery import LANE
 from household.replay.stream import Moments, Stream
+from household.view.colors import CARESS, TAP, packed
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 Point = tuple[float, float]
 
 
@@ -31,7 +29,7 @@ class Marks:
     stay: int
     items: list[tuple[int, str | None, Any]] = field(default_factory=list)
 
-    def groups(self, first: int, last: int) -> tuple[Indices, list[Any], Indices]:
+    def groups(self, first: int, last: int) -> tuple[Integers, list[Any], Integers]:
         """Which things are there at each decision at which that changes.
 
         Args:
@@ -56,7 +54,7 @@ class Marks:
         self.items = [item for item in self.items if item[0] + self.stay > last]
         return at, things, np.bincount(moment, minlength=len(at))
 
-    def _until(self) -> Indices:
+    def _until(self) -> Integers:
         """When each goes, or is taken the place of."""
         until = [at + self.stay for at, _, _ in self.items]
         newest: dict[str, int] = {}
@@ -72,7 +70,7 @@ def send_touch_marks(
     stream: Stream,
     moments: Moments,
     marks: Sequence[tuple[Point, Feedback]],
-    sizes: Indices,
+    sizes: Integers,
 ) -> None:
     """Dots where robots were touched last; who touched them and how stands above.
 
@@ -101,7 +99,7 @@ def send_touch_marks(
     stream.send("world/touches/texts", moments, words)
 
 
-def arcs(start: Array, end: Array, side: float) -> NDArray[np.float32]:
+def arcs(start: Floats, end: Floats, side: float) -> Singles:
     """Bows between points in the picture of credit.
 
     Args:

@@ -7,15 +7,15 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-import numpy as np
 from numpy.typing import NDArray
 
+from household.compiled.arrays import Floats, Integers
 from household.errors import HouseholdError
-from household.people.feedback import Cause, Feedback
+from household.feedback import Cause, Feedback
+from household.replay.chunks import Table, read_tables
 from household.replay.rows import Rows
-from household.replay.tables import Table, read_tables
-from household.scenario import Scenario
-from household.snapshot import Snapshot, Touch, layout
+from household.scenario.scenario import Scenario
+from household.simulation.snapshot import Snapshot, Touch, layout
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Replay:
     scenario: Scenario
     rows: Rows
     touches: dict[int, tuple[Touch, ...]]
-    values: dict[str, tuple[NDArray[np.int64], NDArray[np.float64]]]
+    values: dict[str, tuple[Integers, Floats]]
     credits: Table
 
     def __len__(self) -> int:
@@ -92,7 +92,7 @@ def _rows(scenario: Scenario, state: Table) -> Rows:
         name: state[name].reshape(len(decision), *shape).astype(kind, copy=False)
         for name, (shape, kind) in layout(scenario).items()
     }
-    time: NDArray[np.float64] = decision * scenario.decision_period
+    time: Floats = decision * scenario.decision_period
     return Rows(decision=decision, time=time, **arrays)
 
 

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from household.compiled.arrays import Floats
+from household.replay.blueprint import layout
 from household.replay.events import Belief, Events
-from household.replay.layout import layout
-from household.replay.moving import send_rows
+from household.replay.moments import send_rows
 from household.replay.process import open_viewer
 from household.replay.rows import FLUSH_EVERY, Buffer
 from household.replay.scenery import set_scene
 from household.replay.situations import Situations
 from household.replay.stream import Moments, Stream, moments_of, saved_layout
-from household.scenario import Scenario
-from household.snapshot import touches
+from household.scenario.scenario import Scenario
+from household.simulation.snapshot import touches
 
 if TYPE_CHECKING:
     from household.environment import Household
@@ -56,11 +56,11 @@ class Recorder:
     ) -> None:
         scenario = home.scenario
         self._home, self._scenario = home, scenario
-        self._buffer = Buffer(scenario, home.life, flush_every)
+        self._buffer = Buffer(scenario, home.simulation, flush_every)
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
         self._situations = Situations(scenario)
-        self._values: dict[str, list[tuple[int, NDArray[np.float64]]]] = {}
+        self._values: dict[str, list[tuple[int, Floats]]] = {}
         self._watch, self._written = bool(watch), time.monotonic()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
         target = None if path is None else Path(path)
@@ -84,14 +84,14 @@ class Recorder:
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""
-        buffer, robots = self._buffer, self._home.life.robots
+        buffer, robots = self._buffer, self._home.simulation.robots
         buffer.put()
         if robots.touched:
             self._events.feel(touches(robots))
         if buffer.full or (self._watch and self._is_due()):
             self._write()
 
-    def value(self, robot: str, values: NDArray[np.float64]) -> None:
+    def value(self, robot: str, values: Floats) -> None:
         """Records what a learner expects of each behavior in the present situation.
 
         Args:

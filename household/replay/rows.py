@@ -7,16 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from household.scenario import Scenario
-from household.snapshot import layout, present, rewards
+from household.compiled.arrays import Floats, Integers, Mask, Singles
+from household.scenario.scenario import Scenario
+from household.simulation.snapshot import layout, present, rewards
 
 if TYPE_CHECKING:
-    from household.life import Life
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
-Shares = NDArray[np.float32]
+    from household.simulation.simulation import Simulation
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,19 +22,19 @@ class Rows:
     Attributes are those of `Snapshot`, with ``decision`` and ``time`` as arrays.
     """
 
-    decision: Indices
-    time: Array
-    position: Array
-    heading: Array
-    gaze: Array
-    half_view: Array
-    activity: Indices
+    decision: Integers
+    time: Floats
+    position: Floats
+    heading: Floats
+    gaze: Floats
+    half_view: Floats
+    activity: Integers
     attends: Mask
-    attention: Shares
-    mood: Array
-    behavior: Indices
-    begun: Indices
-    reward: Array
+    attention: Singles
+    mood: Floats
+    behavior: Integers
+    begun: Integers
+    reward: Floats
 
     def __len__(self) -> int:
         return len(self.decision)
@@ -65,23 +61,25 @@ class Buffer:
 
     Args:
         scenario: Who lives where.
-        life: Whose moments.
+        simulation: Whose moments.
         capacity: How many; fewer, if they would need more than `MOST_BYTES`.
 
     Attributes:
         decision: The last moment's; -1 before the first.
     """
 
-    def __init__(self, scenario: Scenario, life: "Life", capacity: int) -> None:
+    def __init__(
+        self, scenario: Scenario, simulation: "Simulation", capacity: int
+    ) -> None:
         self._layout, self._period = layout(scenario), scenario.decision_period
-        self._life, self._now = life, life.memory.bytes
+        self._life, self._now = simulation, simulation.memory.bytes
         self._capacity = max(1, min(capacity, MOST_BYTES // len(self._now)))
         self._moments = np.zeros((self._capacity, len(self._now)), np.uint8)
         self._decisions: list[int] = []
         self._rewards = np.zeros((self._capacity, len(scenario.robots)))
-        everybody = self._column(life.crowd.position, self._capacity)
+        everybody = self._column(simulation.crowd.position, self._capacity)
         self._spots = everybody[:, len(scenario.people) :]
-        self._before: tuple[list[int], Array] = ([], self._spots[:0])
+        self._before: tuple[list[int], Floats] = ([], self._spots[:0])
         self.decision = -1
 
     @property
@@ -91,12 +89,12 @@ class Buffer:
 
     def put(self) -> None:
         """Adds this moment; its touches are kept elsewhere."""
-        row, life = len(self._decisions), self._life
+        row, simulation = len(self._decisions), self._life
         self._moments[row] = self._now
-        self.decision = life.decision
-        self._decisions.append(life.decision)
-        if life.robots.touched:
-            self._rewards[row] = rewards(life.robots)
+        self.decision = simulation.decision
+        self._decisions.append(simulation.decision)
+        if simulation.robots.touched:
+            self._rewards[row] = rewards(simulation.robots)
 
     def spot(self, robot: int, decision: int) -> tuple[float, float]:
         """Where a robot was; where it is now, if that is forgotten.

@@ -7,17 +7,17 @@ import numpy as np
 
 from household.activity import ACTIVITY_NAMES
 from household.home.floorplan import FloorPlan
-from household.home.raster import rasterize
-from household.life import PERSON_RADIUS, ROBOT_RADIUS
-from household.replay.colors import (
+from household.replay.stream import Stream
+from household.scenario.scenario import Scenario
+from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
+from household.view.colors import (
     ACTIVITIES,
     BELIEVED,
     TRUE,
     behavior_color,
     packed,
 )
-from household.replay.stream import Stream
-from household.scenario import Scenario
+from household.view.raster import rasterize
 
 PICTURE_SCALE = 100.0
 """Pixels per meter of the floor plan's picture."""

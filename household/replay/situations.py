@@ -6,15 +6,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from household.compiled.arrays import Mask
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.replay.columns import texts
-from household.replay.moving import changes
+from household.replay.moments import changes
 from household.replay.rows import Rows
 from household.replay.stream import Stream
-from household.scenario import Scenario
-
-Mask = NDArray[np.bool_]
+from household.scenario.scenario import Scenario
 
 KEPT = 4096
 """So many texts are remembered, as they recur."""

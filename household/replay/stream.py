@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from household.compiled.arrays import Floats, Integers
 
 if TYPE_CHECKING:
     import rerun as rr
 
-Moments = tuple[NDArray[np.int64], NDArray[np.float64]]
+Moments = tuple[Integers, Floats]
 """Decisions and times [s] of rows."""
 
 

@@ -10,7 +10,7 @@ from household.replay.process import LOOPBACK, address, free_ports, start_viewer
 from household.replay.reading import Replay, read_replay
 
 if TYPE_CHECKING:
-    from household.snapshot import Snapshot
+    from household.simulation.snapshot import Snapshot
 
 FPS = 8
 """Decisions shown in a second of film: 8 times as fast as life, if each takes 1 s."""
@@ -110,7 +110,7 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
     chosen = last if decision is None else decision
     if not 0 <= chosen <= last:
         raise HouseholdError(f"{path}: no decision {chosen}; allowed: 0 to {last}")
-    from household.render import SHOWN, Painter, load_pygame
+    from household.view.painter import SHOWN, Painter, load_pygame
 
     painter = Painter(replay.scenario)
     # What was just before leaves its touches in the picture.
@@ -145,7 +145,7 @@ def write_video(
         raise HouseholdError(
             "films need imageio-ffmpeg: pip install 'polite-household[render]'"
         ) from None
-    from household.render import SIZE, Painter
+    from household.view.painter import SIZE, Painter
 
     painter = Painter(replay.scenario)
     film = write_frames(str(out), SIZE, fps=fps)

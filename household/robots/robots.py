@@ -3,15 +3,12 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from household.arrays import Indices, Zeros
-from household.compiled import FLOAT, FLOATS, compiled, specialized
-from household.people.feedback import Cause, Feedback
-from household.robots.behavior import Bout
-from household.scenario import Scenario
-
-Array = NDArray[np.float64]
+from household.compiled.arrays import Floats, Indices, Zeros
+from household.compiled.jit import FLOAT, FLOATS, bind, compiled
+from household.feedback import Cause, Feedback
+from household.robots.bout import Bout
+from household.scenario.scenario import Scenario
 
 MOMENT = 1e-9
 """By how much times may miss each other through rounding [s]."""
@@ -47,7 +44,7 @@ class Robots:
         self.begun: Indices = zeros((n,), np.intp)
         self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
-        self._show = specialized(
+        self._show = bind(
             _show,
             self.left,
             self.behaviors,
@@ -116,7 +113,7 @@ class Robots:
         total = self.felt[robot, kind] + feedback.strength
         self.felt[robot, kind] = min(total, 1.0)
 
-    def show(self, since: float, now: float, salience: Array, source: Array) -> None:
+    def show(self, since: float, now: float, salience: Floats, source: Floats) -> None:
         """Tells how robots appear to those who look and listen, and what is `left`.
 
         What was over before is silent, and draws the eye no more than a person does.
@@ -133,16 +130,16 @@ class Robots:
 
 @compiled
 def _show(
-    left: Array,
-    behavior: NDArray[np.intp],
-    began: Array,
-    ends: Array,
-    saliences: Array,
-    loudness: Array,
+    left: Floats,
+    behavior: Indices,
+    began: Floats,
+    ends: Floats,
+    saliences: Floats,
+    loudness: Floats,
     since: float,
     now: float,
-    salience: Array,
-    source: Array,
+    salience: Floats,
+    source: Floats,
 ) -> None:
     first = len(salience) - len(behavior)
     for i in range(len(behavior)):

@@ -5,8 +5,8 @@ from typing import Protocol
 
 import numpy as np
 
-from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import FLOAT, INDICES, MASK, compiled, specialized
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.compiled.jit import FLOAT, INDICES, MASK, bind, compiled
 
 
 class Doing(Protocol):
@@ -56,7 +56,7 @@ class Doings:
         self._until = np.array([doing.until for doing in doings])
         self._look_left = np.array([doing.look_lasts for doing in doings])
         self._over = np.zeros(len(doings), np.bool_)
-        self._pass_time = specialized(
+        self._pass_time = bind(
             _pass_time,
             self._left,
             self._until,

@@ -3,15 +3,13 @@
 import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
-from importlib import resources
-from pathlib import Path
 
 import numpy as np
 
+from household.config.toml import convert, packaged, read_toml
+from household.home.places import Places
 from household.people.mind import OWN_ACTIVITY
-from household.people.places import Places
-from household.records import convert, read_toml
-from household.scenario import PersonSpec, Scenario, Stay
+from household.scenario.scenario import PersonSpec, Scenario, Stay
 from policies.people.schedule import Schedule, Stop
 from policies.people.script import Line, Script
 
@@ -57,7 +55,7 @@ def _stops(schedule: Mapping[str, Stay], place: Mapping[str, int]) -> list[Stop]
 
 @lru_cache(maxsize=1)
 def _shipped_schedule() -> dict[str, Stay]:
-    path = Path(str(resources.files("household").joinpath("people/schedule.toml")))
+    path = packaged("scenario/schedule.toml")
     return convert(read_toml(path), dict[str, Stay], str(path))
 
 

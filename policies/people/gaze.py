@@ -6,21 +6,21 @@ from collections.abc import Sequence
 import numpy as np
 
 from household.activity import Activity
-from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import (
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.compiled.jit import (
     FLOAT,
     FLOATS_2D,
     INDICES,
     MASK,
     MASK_2D,
+    bind,
     compiled,
-    specialized,
 )
 from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percepts
-from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
-from household.streams import draws
+from household.scenario.persona import Persona
+from household.simulation.random_streams import draws
 
 DRAWS = 4
 """In each moment: whether the gaze moves on, startles, where to, and for how long."""
@@ -51,7 +51,7 @@ class Gaze:
         self._draws = draws(rngs, DRAWS)
         self.look = np.full(n, OWN_ACTIVITY, np.intp)
         self.eyes_open = np.ones(n, np.bool_)
-        self._turn = specialized(
+        self._turn = bind(
             _turn,
             self.look,
             self.eyes_open,

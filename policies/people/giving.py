@@ -6,21 +6,21 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from household.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled import (
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.compiled.jit import (
     FLOAT,
     FLOATS,
     FLOATS_2D,
     INDICES_2D,
     MASK,
     MASK_2D,
+    bind,
     compiled,
-    specialized,
 )
 from household.people.mind import Percepts, Wish
-from household.people.persona import Persona
 from household.people.traits import Traits, traits_of
-from household.streams import draws
+from household.scenario.persona import Persona
+from household.simulation.random_streams import draws
 
 DRAWS = 2
 """For each robot in each moment: whether to react, and whether it goes wrong."""
@@ -69,7 +69,7 @@ class FeedbackGiving:
         self.wanted: Indices = self._state["robot"]
         self._changed: Mask = self._state["changed"]
         fresh = np.ones((n, n_robots))
-        self._consider = specialized(
+        self._consider = bind(
             _consider,
             self._state,
             fresh,

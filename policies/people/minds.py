@@ -9,8 +9,8 @@ from household.people.mind import (
     Minds,
     Percepts,
 )
-from household.people.persona import Persona
-from household.scenario import Scenario
+from household.scenario.persona import Persona
+from household.scenario.scenario import Scenario
 from policies.people.doings import Doing, Doings
 from policies.people.from_scenario import doing_of
 from policies.people.gaze import Gaze

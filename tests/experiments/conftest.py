@@ -14,7 +14,7 @@ import numpy as np
 import polars as pl
 import pytest
 
-from experiments.rows import Rows, schema
+from experiments.running.trial_table import Rows, schema
 from learners.catalog import make_learner
 from policies.learning import LearningRobot, run_episode
 

@@ -90,11 +90,11 @@ def test_a_correct_scenario_is_said_to_be_so(capsys):
 
 
 def test_every_shipped_scenario_is_listed(capsys):
-    from household.records import shipped
+    from household.config.toml import shipped
 
     status, out, _ = say(capsys, "scenarios")
     assert status == 0
-    assert all(name in out for name in shipped("scenarios"))
+    assert all(name in out for name in shipped("scenario"))
 
 
 def test_help_names_every_command_and_ends_well(capsys):

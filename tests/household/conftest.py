@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from household import household_v0
-from household.crowd import Build, Crowd
-from household.home.routes import distance_to_box, distance_to_segments
-from household.life import PERSON_MASS, PERSON_RADIUS
+from household.home.geometry import distance_to_box, distance_to_segments
+from household.motion.crowd import BodyParams, Crowd
+from household.simulation.simulation import PERSON_MASS, PERSON_RADIUS
 
 BUSY_HOME = """
 name = "busy"
@@ -74,7 +74,7 @@ def crowd_in(people):
 
     def make(plan, position, speed=1.2):
         n = len(position)
-        crowd = Crowd(plan, Build(*people(n), np.full(n, speed)), 0.2, 0.1)
+        crowd = Crowd(plan, BodyParams(*people(n), np.full(n, speed)), 0.2, 0.1)
         crowd.place(np.array(position, dtype=float), np.zeros(n))
         return crowd
 

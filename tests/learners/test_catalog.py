@@ -6,7 +6,7 @@ import pytest
 from learners import CATALOG, QLearner, make_learner
 from learners.errors import ParameterError, UnknownNameError
 from learners.exploration import Greedy
-from learners.rates import ConstantRate
+from learners.tabular.rates import ConstantRate
 
 
 @pytest.mark.parametrize("name", CATALOG)

@@ -8,7 +8,7 @@ import pytest
 
 from learners import QLearner
 from learners.exploration import Softmax
-from learners.rates import AsynchronousRate
+from learners.tabular.rates import AsynchronousRate
 
 GAMMA, EXPONENT, TEMPERATURE = 0.3, 0.8, 0.2
 

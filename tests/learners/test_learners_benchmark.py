@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from learners import benchmark
-from learners.analogy import Propagation, is_state
+from learners.analogy.operators import Propagation, is_state
 
 
 @pytest.fixture(autouse=True)

@@ -5,11 +5,16 @@ import numpy as np
 import pytest
 
 from learners import QLearner
-from learners.credit import CreditRule, Designated, Trace, Weighing
+from learners.credit.heuristics import FixedDelay
+from learners.credit.rules import CreditRule, Designated, Trace, Weighing
 from learners.errors import ExperienceError, ParameterError, UnknownBehaviorError
 from learners.exploration import Greedy, Thompson
-from learners.heuristics import FixedDelay
-from learners.rates import AsynchronousRate, ConstantRate, SocialRate, SynchronousRate
+from learners.tabular.rates import (
+    AsynchronousRate,
+    ConstantRate,
+    SocialRate,
+    SynchronousRate,
+)
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from learners import CATALOG, QLearner, load, make_learner, saved, saving
-from learners.analogy import Propagation
+from learners.analogy.operators import Propagation
 from learners.errors import SavedFileError
 from learners.saving import VERSION, encode
 

@@ -4,7 +4,7 @@ import pytest
 from learners import QLearner, Team, load, make_team
 from learners.errors import ParameterError, UnknownRobotError
 from learners.exploration import Greedy
-from learners.rates import ConstantRate
+from learners.tabular.rates import ConstantRate
 
 ROBOTS = ("rex", "ada")
 

@@ -1,0 +1,1 @@
+"""From the tables of trials to measures, statistics and claims."""

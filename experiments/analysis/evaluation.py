@@ -1,0 +1,172 @@
+"""The four evaluation methods of section 4.1, for every condition of an experiment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import polars as pl
+
+from experiments.analysis import measures, social
+from experiments.analysis.measures import Measure
+from experiments.analysis.statistics import Estimate, FloatArray, mean, proportion
+from experiments.analysis.target_situations import Scene
+
+BEYOND = "Beyond the paper"
+
+METHODS = (
+    "Cumulative reward",
+    "Frequency of rewards",
+    "Q-table",
+    "Human opinion",
+    BEYOND,
+)
+"""The paper's four methods in its order, then what only a simulator can know."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Evaluation:
+    """One number that tells how well a condition did."""
+
+    method: str
+    """One of the paper's four methods."""
+
+    measure: str
+    """What exactly, with its unit."""
+
+    condition: str
+    """Of which condition."""
+
+    estimate: Estimate
+    """Over all seeds."""
+
+    is_share: bool = False
+    """Whether to show it in percent."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Method:
+    """One way to tell how well a condition did."""
+
+    name: str
+    """One of the paper's four methods, or `Beyond the paper`."""
+
+    text: str
+    """What exactly, with its unit."""
+
+    measure: Measure
+    """A function of one trial's table; NaN leaves the trial out."""
+
+    is_share: bool = False
+    """Whether to show it in percent."""
+
+    estimate: Callable[[FloatArray], Estimate] = mean
+    """Takes one number per seed."""
+
+
+def evaluate(
+    frame: pl.DataFrame,
+    conditions: tuple[str, ...],
+    scenes: tuple[Scene, ...],
+    further: tuple[Method, ...] = (),
+) -> tuple[Evaluation, ...]:
+    """Returns every evaluation of every condition, method by method.
+
+    Args:
+        frame: The table of a study.
+        conditions: In the order of presentation.
+        scenes: The situations to be learned.
+        further: What an experiment measures beside what all have.
+    """
+    methods = [*_methods(scenes, measures.behaviors(frame)), *further]
+    methods.sort(key=lambda method: METHODS.index(method.name))
+    return tuple(
+        _evaluated(method, frame, condition)
+        for method in methods
+        for condition in conditions
+    )
+
+
+def _evaluated(method: Method, frame: pl.DataFrame, condition: str) -> Evaluation:
+    values = measures.per_seed(frame, condition, method.measure)
+    known = values[~np.isnan(values)]
+    return Evaluation(
+        method=method.name,
+        measure=method.text,
+        condition=condition,
+        estimate=method.estimate(known),
+        is_share=method.is_share,
+    )
+
+
+def _methods(scenes: tuple[Scene, ...], behaviors: tuple[str, ...]) -> Iterator[Method]:
+    yield Method(
+        name="Cumulative reward", text="at the end", measure=measures.final_reward
+    )
+    for sign, what in ((1, "caresses"), (-1, "taps")):
+        for quarter, when in ((0, "first"), (3, "last")):
+            yield Method(
+                name="Frequency of rewards",
+                text=f"{what} per minute, {when} quarter",
+                measure=_frequency(sign, quarter),
+            )
+    for scene in scenes:
+        yield Method(
+            name="Q-table",
+            text=f"{scene.name}: converged",
+            measure=_converged(scene),
+            is_share=True,
+            estimate=proportion,
+        )
+        for behavior in behaviors:
+            yield Method(
+                name="Q-table",
+                text=f"{scene.name}: final Q of {behavior.replace('_', ' ')}",
+                measure=_final_q(scene, behavior),
+            )
+        yield Method(
+            name=BEYOND,
+            text=f"{scene.name}: right choices in the last quarter",
+            measure=_right_share(scene),
+            is_share=True,
+        )
+    yield Method(
+        name="Human opinion",
+        text="1 (autistic) to 10 (sociable), at the end",
+        measure=_opinion,
+    )
+
+
+def _frequency(sign: int, quarter: int) -> Measure:
+    def measure(trial: pl.DataFrame) -> float:
+        span = float(trial["next_time"].to_numpy().max()) / 4
+        begin, end = quarter * span, (quarter + 1) * span
+        time = pl.col("time")
+        felt = measures.touches(trial).filter(
+            (pl.col("value") * sign > 0) & (time > begin) & (time <= end)
+        )
+        return len(felt) / (span / 60.0)
+
+    return measure
+
+
+def _converged(scene: Scene) -> Measure:
+    return lambda trial: measures.converged(trial, scene.find(trial))
+
+
+def _right_share(scene: Scene) -> Measure:
+    return lambda trial: social.right_share(trial, scene.find(trial))
+
+
+def _final_q(scene: Scene, behavior: str) -> Measure:
+    def measure(trial: pl.DataFrame) -> float:
+        _, values = measures.q_curve(trial, scene.find(trial), behavior)
+        return float(values[-1]) if len(values) else 0.0
+
+    return measure
+
+
+def _opinion(trial: pl.DataFrame) -> float:
+    last = trial.sort("next_time").group_by("robot").last()
+    return float(last["opinion"].to_numpy().mean())

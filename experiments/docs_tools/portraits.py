@@ -1,0 +1,106 @@
+"""Portraits of the shipped personas: how readily each turns what it thinks into touch.
+
+Run as `python -m experiments.docs_tools.portraits`; prints the table of docs/people.md.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from household.config.toml import shipped
+from household.environment import Household
+from household.people.mind import Intentions, Minds, Percepts
+from household.people.traits import traits_of
+from household.scenario.scenario import PersonSpec, RobotSpec, Scenario
+from policies.people import make_minds
+from policies.people.giving import calls_for_feedback
+
+HOURS, SEEDS = 1, 3
+"""Each persona is watched for this long with each of the first seeds."""
+
+HEADER = (
+    "| persona | pleased | caresses | annoyed | taps | caresses per pleasing bout | "
+    "taps per annoying bout |"
+)
+
+
+class Witness(Minds):
+    """Counts what a person thinks and leaves its decisions as they are."""
+
+    def __init__(self, scenario: Scenario, counts: Counter[str]) -> None:
+        self._minds = make_minds(scenario)
+        (self._traits,) = traits_of(scenario.personas)
+        self._counts = counts
+
+    def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
+        """As the mind itself."""
+        return self._minds.reset(rngs)
+
+    def decide(self, percepts: Percepts) -> Intentions:
+        """As the mind itself; bouts that call for no feedback are not counted."""
+        new, values, _, attending = percepts.judgements
+        for value, attends in zip(values[new], attending[new], strict=True):
+            if calls_for_feedback(value, attends, self._traits):
+                self._counts["pleased" if value > 0.0 else "annoyed"] += 1
+        return self._minds.decide(percepts)
+
+
+def watch(persona: str, seed: int) -> Counter[str]:
+    """Counts of one person with a robot that does whatever comes to its mind.
+
+    Args:
+        persona: Name of a shipped persona.
+        seed: Of the episode and of the robot.
+
+    Returns:
+        How often the person was pleased and annoyed by a bout, and how often it
+        caressed and tapped.
+    """
+    counts: Counter[str] = Counter()
+
+    env = Household(_at_home(persona), lambda scenario: Witness(scenario, counts))
+    env.reset(seed=seed)
+    rng = np.random.default_rng(seed)
+    while env.agents:
+        bout = env.behavior("robot_0").behavior
+        over = env.behavior_over("robot_0")
+        env.step({"robot_0": int(rng.integers(len(env.behaviors))) if over else bout})
+        kinds = {"caress": "caresses", "tap": "taps"}
+        counts.update(kinds[touch.kind] for touch in env.feedback("robot_0"))
+    return counts
+
+
+def _at_home(persona: str) -> Scenario:
+    """One person in the smart room, with the shipped schedule and norms."""
+    return Scenario(
+        name=f"portrait of {persona}",
+        max_cycles=HOURS * 3600,
+        behaviors=("sleep", "play", "say_hello", "bark", "vacuum", "ask"),
+        heterogeneity=0.0,
+        people=(PersonSpec(name="person", persona=persona),),
+        robots=(RobotSpec(position=(3.8, 2.6)),),
+    )
+
+
+def table() -> Iterator[str]:
+    """The lines of the table, in Markdown."""
+    yield HEADER
+    yield "| --- " + "| ---: " * (HEADER.count("|") - 2) + "|"
+    for persona in shipped("persona"):
+        counts = sum((watch(persona, seed) for seed in range(SEEDS)), Counter[str]())
+        felt = [counts[name] for name in ("pleased", "caresses", "annoyed", "taps")]
+        shares = (_share(felt[1], felt[0]), _share(felt[3], felt[2]))
+        cells = (persona, *map(str, felt), *shares)
+        yield f"| {' | '.join(cells)} |"
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{part / whole:.2f}" if whole else "-"
+
+
+if __name__ == "__main__":
+    for line in table():
+        print(line)

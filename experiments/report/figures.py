@@ -1,0 +1,54 @@
+"""Draws all figures of an experiment; in a process of its own, beside the analysis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from experiments import figures
+from experiments.paper import EXPERIMENTS, Experiment, comparison
+from experiments.running.store import Results
+from experiments.running.study import Study
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A figure: its files and what stands in the report."""
+
+    name: str
+    caption: str
+    svgs: tuple[str, ...]
+    files: tuple[Path, ...]
+
+
+def stored_study(experiment: Experiment, results: Results) -> Study:
+    """Returns the study with the seeds that it was last prepared for."""
+    return experiment.study(tuple(results.read_study()["seeds"]))
+
+
+def draw(number: int, out: Path) -> tuple[Drawn, ...]:
+    """Draws the figures of a finished experiment into `figures`.
+
+    Args:
+        number: Of the experiment.
+        out: The directory of all results.
+    """
+    experiment = EXPERIMENTS[number]
+    results = Results(out / experiment.name)
+    frame = results.read(stored_study(experiment, results))
+    parts = [(f.name, f.caption, f.columns(frame)) for f in experiment.figures]
+    compared = (
+        "All conditions: the sum of all touches, and how many caresses and taps a "
+        "minute brings."
+    )
+    name = f"{experiment.name}_rewards"
+    parts.append((name, compared, comparison(experiment, frame)))
+    return tuple(
+        Drawn(
+            name=name,
+            caption=caption,
+            svgs=figures.inline(columns, name),
+            files=figures.save(columns, out / "figures" / name),
+        )
+        for name, caption, columns in parts
+    )

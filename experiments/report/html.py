@@ -1,0 +1,167 @@
+"""The report: one HTML file that needs nothing else, for people."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from experiments.analysis.claims import Finding, verdicts
+from experiments.report import format as wording
+from experiments.running.store import to_json, write_text
+
+if TYPE_CHECKING:
+    from experiments.report.publish import Published, Reproduced
+    from experiments.report.study_tables import FactorialShown
+
+_TEMPLATES = Path(__file__).parent / "templates"
+
+
+def write_report(published: Published, path: Path) -> None:
+    """Writes the report.
+
+    Args:
+        published: What came out.
+        path: Where to.
+    """
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FileSystemLoader(_TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    template = environment.get_template("report.html.j2")
+    write_text(path, template.render(_context(published)))
+
+
+def _context(published: Published) -> dict[str, Any]:
+    ids = dict(sorted(verdicts(published.findings).items()))
+    root = published.report_file.parent
+    return {
+        "verdicts": ids,
+        "n_holding": sum(ids.values()),
+        "unfinished": published.unfinished,
+        "parts": [_part(part, root) for part in published.reproduced],
+        "factorial": [_factorial(shown) for shown in published.factorial],
+        "silence": _silence(published.factorial),
+        "sensitivity": published.sensitivity,
+        "session": published.reproduced[-1].document["sessions"][-1],
+        "words": wording,
+    }
+
+
+def _part(part: Reproduced, root: Path) -> dict[str, Any]:
+    return {
+        "experiment": part.experiment,
+        "claims": _claims(part.findings),
+        "drawn": part.drawn,
+        "files": {
+            figure.name: [str(file.relative_to(root)) for file in figure.files]
+            for figure in part.drawn
+        },
+        "methods": _methods(part),
+        "tables": part.tables,
+        "n_seeds": len(part.study.seeds),
+        "seeds": _ranges(part.study.seeds),
+        "typical_seed": part.typical_seed,
+        "replay": str(part.replay.relative_to(root)),
+        "sessions": part.document["sessions"],
+        "configuration": to_json(part.document["configuration"]),
+    }
+
+
+def _claims(findings: tuple[Finding, ...]) -> list[dict[str, Any]]:
+    """Returns the claims in order of their ids, each with all its conditions."""
+    claims: dict[str, dict[str, Any]] = {}
+    for finding in sorted(findings, key=lambda one: one.claim.id):
+        claim = finding.claim
+        entry = {"id": claim.id, "text": claim.text, "reading": claim.reading}
+        known = claims.setdefault(claim.id, entry | {"rows": [], "compared": []})
+        known["rows"].append((finding, _scale(finding)))
+        known["compared"] += _compared(finding)
+    return list(claims.values())
+
+
+def _compared(finding: Finding) -> list[dict[str, str]]:
+    """Returns what was measured on other conditions, in words."""
+    share = wording.is_share(finding)
+    return [
+        {
+            "condition": name,
+            "value": wording.number(estimate.value, is_share=share),
+            "interval": wording.interval(estimate, is_share=share),
+        }
+        for name, estimate in finding.compared.items()
+    ]
+
+
+def _factorial(shown: FactorialShown) -> dict[str, Any]:
+    return {
+        "shown": shown,
+        "rows": [(one, _scale(one)) for one in (*shown.findings, *shown.silence)],
+    }
+
+
+def _silence(factorial: tuple[FactorialShown, ...]) -> dict[str, list[int]]:
+    """Returns on which experiments the social rate is better than skip_silence.
+
+    Judged at the paper's levels of the other factors, by the whole interval.
+    """
+    verdicts: dict[str, list[int]] = {"better": [], "worse": [], "neither": []}
+    for shown in factorial:
+        estimate = shown.silence[0].estimate
+        sign = "neither"
+        if estimate.low > 0:
+            sign = "better"
+        elif estimate.high < 0:
+            sign = "worse"
+        verdicts[sign].append(shown.number)
+    return verdicts
+
+
+def _methods(part: Reproduced) -> list[dict[str, Any]]:
+    """Returns the evaluations as a table: a row per measure, a cell per condition."""
+    rows: dict[tuple[str, str], list[dict[str, str]]] = {}
+    for one in part.evaluations:
+        cell = {
+            "condition": one.condition,
+            "value": wording.number(one.estimate.value, is_share=one.is_share),
+            "interval": wording.interval(one.estimate, is_share=one.is_share),
+        }
+        rows.setdefault((one.method, one.measure), []).append(cell)
+    return [
+        {"method": method, "measure": measure, "cells": cells}
+        for (method, measure), cells in rows.items()
+    ]
+
+
+def _scale(finding: Finding) -> dict[str, Any]:
+    """Returns where value, interval and threshold lie on a line from 0 to 100."""
+    estimate, threshold = finding.estimate, finding.claim.threshold
+    points = [estimate.low, estimate.high, estimate.value, threshold, 0.0]
+    known = [point for point in points if point == point]
+    low, high = min(known), max(known)
+    if wording.is_share(finding) and low >= 0.0:
+        low, high = 0.0, 1.0
+    width = (high - low) or 1.0
+
+    def place(point: float) -> float | None:
+        return round(100 * (point - low) / width, 2) if point == point else None
+
+    upper = finding.claim.rule in ("at least", "above")
+    return {
+        "value": place(estimate.value),
+        "low": place(estimate.low),
+        "high": place(estimate.high),
+        "threshold": place(threshold),
+        "wanted": [place(threshold), 100.0] if upper else [0.0, place(threshold)],
+    }
+
+
+def _ranges(seeds: tuple[int, ...]) -> str:
+    ordered = sorted(seeds)
+    if ordered == list(range(ordered[0], ordered[-1] + 1)):
+        return f"{ordered[0]} to {ordered[-1]}"
+    return ", ".join(map(str, ordered))

@@ -1,0 +1,85 @@
+"""What the terminal says at the end: the claims table and where everything lies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from experiments.analysis.claims import verdicts
+from experiments.report import format as wording
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+    from experiments.report.publish import Published
+
+ROOM = 110
+"""Width of a terminal in which claims fit on few lines [characters]."""
+
+NARROW = {"claim": 20, "condition": 12, "95 %": 9, "holds if": 9}
+"""Columns that wrap between words where there is less room, and how wide they are."""
+
+_STYLES = {True: "green", False: "bold red"}
+
+
+def show(console: Console, published: Published) -> None:
+    """Prints the claims table and where everything lies.
+
+    Args:
+        console: Where to.
+        published: What came out.
+    """
+    console.print(claims_table(published, narrow=console.width < ROOM))
+    held = verdicts(published.findings)
+    console.print(f"{sum(held.values())} of {len(held)} claims hold.\n")
+    for sentence in published.unfinished:
+        console.print(sentence, highlight=False)
+    out = published.report_file.parent
+    places = {
+        "report": published.report_file,
+        "claims": published.claims_file,
+        "figures": out / "figures",
+        **{
+            f"trials of experiment {part.experiment.number}": out / part.experiment.name
+            for part in published.reproduced
+        },
+    }
+    for what, path in places.items():
+        console.print(f"{what}: {path}", highlight=False, soft_wrap=True)
+    for part in published.reproduced:
+        said = f"replay: household replay {part.replay}"
+        console.print(said, highlight=False, soft_wrap=True)
+
+
+def claims_table(published: Published, *, narrow: bool = False) -> Table:
+    """Returns one row per claim and condition.
+
+    Args:
+        published: What came out.
+        narrow: Wraps texts so that 80 characters are wide enough.
+    """
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for heading in ("", "claim", "condition", "value", "95 %", "holds if", ""):
+        width = NARROW.get(heading)
+        table.add_column(
+            heading, no_wrap=width is None, width=width if narrow else None
+        )
+    before = ""
+    for finding in sorted(published.findings, key=lambda one: one.claim.id):
+        claim = finding.claim
+        new = claim.id != before
+        table.add_row(
+            claim.id if new else "",
+            claim.text if new else "",
+            claim.condition,
+            wording.value(finding),
+            wording.spread(finding),
+            wording.threshold(finding),
+            Text(wording.VERDICTS[finding.holds], style=_STYLES[finding.holds]),
+        )
+        before = claim.id
+    return table

@@ -1,0 +1,94 @@
+"""Runs the paper's experiments: what is missing, and nothing twice."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from experiments.errors import ExperimentError
+from experiments.running.engine import Engine, Outcome, run_trials
+from experiments.running.store import Results
+from experiments.running.study import Study, Trial
+from experiments.running.trial import configuration
+
+if TYPE_CHECKING:
+    import polars
+
+
+@dataclass(frozen=True, kw_only=True)
+class Job:
+    """One trial with the place its result belongs to."""
+
+    results: Results
+    """The directory of its study."""
+
+    trial: Trial
+    """What to run."""
+
+    run: Callable[[Trial], polars.DataFrame]
+    """How to run it."""
+
+
+def prepare(studies: Sequence[Study], out: Path) -> tuple[Job, ...]:
+    """Makes directories ready and returns what is still to be run.
+
+    Args:
+        studies: What is wanted.
+        out: The directory that gets a directory for each study.
+
+    Raises:
+        ExperimentError: If the directory cannot be used or holds other results; all
+            studies are checked before the first is written to.
+        HouseholdError: If a study's scenario cannot be used.
+    """
+    wanted = [(study, Results(out / study.name)) for study in studies]
+    configurations = [configuration(study) for study in studies]
+    for (_, results), asked in zip(wanted, configurations, strict=True):
+        results.check(asked)
+    for (study, results), asked in zip(wanted, configurations, strict=True):
+        results.prepare(study, asked)
+    return tuple(
+        Job(results=results, trial=trial, run=study.run)
+        for study, results in wanted
+        for trial in results.missing(study.trials())
+    )
+
+
+def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> None:
+    """Runs jobs and stores each result as it comes.
+
+    Args:
+        jobs: From `prepare`.
+        engine: Where to run them.
+        advance: Called after each one.
+
+    Raises:
+        ExperimentError: At the end, if some trials failed; the others are stored.
+    """
+    failed: list[str] = []
+    for outcome in run_trials(_run, jobs, engine):
+        failed += _store(outcome)
+        advance()
+    if failed:
+        raise ExperimentError(
+            f"{len(failed)} of {len(jobs)} trials failed, the others are stored. "
+            f"First: {failed[0]}."
+        )
+
+
+def _run(job: Job) -> polars.DataFrame:
+    return job.run(job.trial)
+
+
+def _store(outcome: Outcome[Job, polars.DataFrame]) -> list[str]:
+    """Stores a result; returns a sentence if there is none."""
+    results, trial = outcome.trial.results, outcome.trial.trial
+    if outcome.value is not None:
+        results.write(trial, outcome.value)
+        return []
+    error = outcome.error or RuntimeError("the trial returned nothing")
+    path = results.write_error(trial, error)
+    said = str(error).strip().partition("\n")[0]
+    return [f"{trial}: {type(error).__name__}: {said} (traceback in {path})"]

@@ -1,0 +1,107 @@
+"""What is run: conditions, trials and the study they belong to, as plain records."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from experiments.errors import ExperimentError
+
+if TYPE_CHECKING:
+    import polars
+
+_NAME = re.compile(r"[a-z0-9][a-z0-9._+-]*")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Condition:
+    """One cell of a study: which robots learn how, and in which home.
+
+    Every value must be plain data (numbers, texts, lists, mappings), because the
+    condition is written to `study.json` and sent to other processes.
+    """
+
+    name: str
+    """Name within the study; also the name of its folder (a-z, 0-9, `._+-`)."""
+
+    scenario: str
+    """A built-in scenario's name or a path to a TOML file."""
+
+    learner: str
+    """A name from the learners' catalogue."""
+
+    scenario_overrides: Mapping[str, Any] = field(default_factory=dict)
+    """Top-level scenario fields that differ from the scenario's own."""
+
+    learner_overrides: Mapping[str, Any] = field(default_factory=dict)
+    """Settings of the learner that differ from the catalogue's; parts by name, as in
+    `learners.components`."""
+
+    def __post_init__(self) -> None:
+        """Checks that the name can be a folder on every system."""
+        if not _NAME.fullmatch(self.name):
+            raise ExperimentError(
+                f"condition name {self.name!r}: use a-z, 0-9, '.', '_', '+' and '-'."
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trial:
+    """One condition run with one seed: the unit that is run, stored and resumed."""
+
+    condition: Condition
+    """What is run."""
+
+    seed: int
+    """Gives every random stream of the trial; the same seed pairs conditions."""
+
+    def __str__(self) -> str:
+        """Returns e.g. `asynchronous, seed 7`."""
+        return f"{self.condition.name}, seed {self.seed}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """A set of conditions, each run with each seed.
+
+    The paper's experiments, the factorial, the sensitivity table and the
+    generalization studies differ only in what they put here.
+    """
+
+    name: str
+    """Name of the study; also the name of its folder."""
+
+    conditions: tuple[Condition, ...]
+    """What is compared, in the order of presentation."""
+
+    seeds: tuple[int, ...]
+    """The seeds that each condition is run with."""
+
+    run: Callable[[Trial], polars.DataFrame]
+    """Runs one trial; at the top of a module, so that other processes can import it."""
+
+    def __post_init__(self) -> None:
+        """Checks names and seeds."""
+        names = [condition.name for condition in self.conditions]
+        if not names or len(set(names)) < len(names):
+            raise ExperimentError(
+                f"study {self.name!r}: conditions need different names, got {names}."
+            )
+        if (
+            not self.seeds
+            or min(self.seeds) < 0
+            or len(set(self.seeds)) < len(self.seeds)
+        ):
+            raise ExperimentError(
+                f"study {self.name!r} needs different seeds, 0 or larger, at least one."
+            )
+
+    def trials(self) -> tuple[Trial, ...]:
+        """Returns every trial, seed by seed, so that conditions fill up together."""
+        return tuple(
+            Trial(condition=condition, seed=seed)
+            for seed in self.seeds
+            for condition in self.conditions
+        )

@@ -1,0 +1,1 @@
+"""Studies beyond the paper: the factorial and the sensitivity table."""

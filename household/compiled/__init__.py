@@ -1,0 +1,1 @@
+"""Compiled functions and the arrays that they work on."""

@@ -1,0 +1,1 @@
+"""Reading configuration: TOML into frozen records, with the path of every fault."""

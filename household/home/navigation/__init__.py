@@ -1,0 +1,1 @@
+"""Finding a way through a home."""

@@ -1,0 +1,154 @@
+"""Places: the spots in activity regions where people stand, each for one person."""
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from household.activity import Activity
+from household.compiled.arrays import Floats
+from household.compiled.jit import compiled
+from household.config.toml import Point
+from household.home.floorplan import FloorPlan, Region
+from household.home.navigation.routes import routes_of
+
+EDGE = 0.1
+"""How far inside its region a spot lies [m], as far as a body lets itself be pushed."""
+
+SPOTS_ON_RING = 6
+
+NOWHERE = -1
+"""In place of a region."""
+
+APART = 0.5
+"""Least distance between two who stand in nobody's way [m]: two bodies side by side."""
+
+KEPT = 1024
+"""So many rings round spots are remembered, as people ask for the same ones."""
+
+
+class Places:
+    """Activity regions with their spots, and who has claimed which.
+
+    Args:
+        plan: The home.
+
+    Attributes:
+        circles: The regions, shape (n_regions, 3), rows of x, y, radius [m].
+        roles: Which role is played in each, as `Activity` values, and at the end that
+            of being nowhere, shape (n_regions + 1,).
+        facing: What people look at in each, and NaN at the end, (n_regions + 1, 2) [m].
+    """
+
+    def __init__(self, plan: FloorPlan) -> None:
+        self.regions = plan.regions
+        self.circles = plan.region_circles
+        self.roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
+        nothing = (math.nan, math.nan)
+        self.facing = np.array([*(r.facing for r in plan.regions), nothing])
+        self._routes = routes = routes_of(plan)
+        self._beside = lru_cache(maxsize=KEPT)(self._find_beside)
+        self._spots = [
+            [
+                spot
+                for spot in _spots(r)
+                if routes.connects(np.array(spot), np.array(r.center))
+            ]
+            for r in plan.regions
+        ]
+        self._claims: dict[int, tuple[int, Point]] = {}
+
+    @property
+    def centers(self) -> Floats:
+        """Middles of the regions, shape (n_regions, 2) [m]."""
+        return self.circles[:, :2]
+
+    def clear(self) -> None:
+        """Begins a new episode: nobody has claimed a spot."""
+        self._claims.clear()
+
+    def has(self, name: str) -> bool:
+        """Whether a region has this name or this activity."""
+        return any(name in (region.name, region.activity) for region in self.regions)
+
+    def index(self, name: str) -> int:
+        """Index of the region with this name, else the first with this activity."""
+        names = [region.name for region in self.regions]
+        activities: list[str] = [region.activity for region in self.regions]
+        return names.index(name) if name in names else activities.index(name)
+
+    def own(self, name: str, person: int) -> int:
+        """The region with this name, else one person's own with this activity.
+
+        Where a home has several, such as bedrooms, people share them out in order.
+        """
+        same = [i for i, region in enumerate(self.regions) if region.activity == name]
+        if any(region.name == name for region in self.regions) or not same:
+            return self.index(name)
+        return same[person % len(same)]
+
+    def claim(self, person: int, region: int) -> Point:
+        """The spot of a region where a person goes: its own, else the first free.
+
+        When all are taken, the person waits beside them, where it is in nobody's way.
+        """
+        place, spot = self._claims.get(person, (NOWHERE, (0.0, 0.0)))
+        if place != region:
+            taken = [spot for r, spot in self._claims.values() if r == region]
+            spots = self._spots[region]
+            free = (spot for spot in spots if spot not in taken)
+            spot = next(free, None) or self.beside(spots[0], taken)
+            self._claims[person] = (region, spot)
+        return spot
+
+    def beside(self, spot: Point, taken: Sequence[Point]) -> Point:
+        """The spot itself, or where it is taken, a free one as near as may be.
+
+        Args:
+            spot: Where a body fits [m].
+            taken: Where others are [m].
+        """
+        for ring in range(len(taken) + 1):
+            for point in self._beside(spot, ring):
+                if all(math.dist(point, other) >= APART - 1e-9 for other in taken):
+                    return point
+        return spot
+
+    def _find_beside(self, spot: Point, ring: int) -> list[Point]:
+        """Where a body fits on one of the rings round a spot."""
+        around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
+        here = np.array(spot)
+        return [
+            point for point in around if self._routes.connects(np.array(point), here)
+        ]
+
+
+@compiled
+def place_of(point: Floats, circles: Floats) -> int:
+    """The region that a point is in, or `NOWHERE`; regions do not overlap.
+
+    Args:
+        point: Shape (2,) [m].
+        circles: From `Places`, shape (n_regions, 3).
+    """
+    for k in range(len(circles)):
+        dx, dy = point[0] - circles[k, 0], point[1] - circles[k, 1]
+        if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
+            return k
+    return NOWHERE
+
+
+def _spots(region: Region) -> list[Point]:
+    """The middle of a region and, if it is wide enough, a ring of spots round it."""
+    ring = region.radius - EDGE
+    if ring < APART:
+        return [region.center]
+    return [region.center, *_ring(region.center, ring, SPOTS_ON_RING)]
+
+
+def _ring(center: Point, radius: float, n: int) -> list[Point]:
+    """Spots that are spread evenly round a point [m]."""
+    angles = [2 * math.pi * i / n for i in range(n)]
+    x, y = center
+    return [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]

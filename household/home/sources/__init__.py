@@ -1,0 +1,1 @@
+"""Where homes come from: drawn by seed, imported, or furnished by rules."""

@@ -1,0 +1,130 @@
+"""The physical physics: the only file that knows Pymunk.
+
+Walls and furniture are static shapes, people and robots dynamic circles that are
+steered by velocities and push each other. (Kinematic bodies would walk through
+walls.) There is no gravity and no friction: the floor is seen from above.
+"""
+
+import numpy as np
+import pymunk
+from pymunk.batch import BodyFields, Buffer, get_space_bodies, set_space_bodies
+
+from household.compiled.arrays import Floats
+from household.compiled.jit import FLOATS_2D, bind
+from household.home.floorplan import FloorPlan
+from household.motion.collision import boxes_round, keep_out
+
+SLOP = 0.002
+"""How deep touching bodies may overlap [m]; the engine's own 0.1 is made for pixels."""
+
+MOTION = BodyFields.POSITION | BodyFields.VELOCITY
+"""What is told to the engine and read from it."""
+
+
+class Physics:
+    """Bodies in a home.
+
+    Args:
+        plan: The home.
+        radius: Of each body, shape (n,) [m].
+        mass: Of each body, shape (n,) [kg].
+
+    Attributes:
+        velocity: What each body sets out with when it next moves, for the owner to
+            fill in, shape (n, 2) [m/s].
+        solid: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
+        thickness: Its half thickness, shape (m,) [m].
+        boxes: Round it, from `boxes_round`, shape (4, m) [m].
+    """
+
+    def __init__(self, plan: FloorPlan, radius: Floats, mass: Floats) -> None:
+        self._plan, self._traits = plan, list(zip(radius, mass, strict=True))
+        self._build()
+        self.solid = plan.solid_segments
+        self.boxes = boxes_round(self.solid)
+        walls = len(plan.wall_segments)
+        self.thickness = np.zeros(len(self.solid))
+        self.thickness[:walls] = plan.wall_thickness / 2
+        self._keep_out = bind(
+            keep_out,
+            np.asarray(radius, dtype=np.float64),
+            self.solid,
+            self.thickness,
+            self.boxes,
+            then=(FLOATS_2D, FLOATS_2D),
+        )
+        rows = self._batch_rows()
+        # The last row is spare: Pymunk would move an array that becomes full elsewhere.
+        batch, self._buffer = np.zeros((len(self._bodies) + 2, 4)), Buffer()
+        self._buffer.set_float_buf(batch)
+        self._place, self.velocity = batch[rows, :2], batch[rows, 2:]
+
+    def _build(self) -> None:
+        """Makes an engine that has seen nothing yet.
+
+        One that has lived remembers contacts, which would go on in the next episode.
+        """
+        self.space = pymunk.Space()
+        self.space.collision_slop = SLOP
+        self._add_home(self._plan)
+        self._bodies = [self._add_body(*traits) for traits in self._traits]
+
+    def _add_home(self, plan: FloorPlan) -> None:
+        ground = self.space.static_body
+        for x1, y1, x2, y2 in plan.wall_segments:
+            half = plan.wall_thickness / 2
+            self.space.add(pymunk.Segment(ground, (x1, y1), (x2, y2), half))
+        for box in plan.furniture:
+            self.space.add(pymunk.Poly(ground, list(box.corners)))
+
+    def _add_body(self, radius: float, mass: float) -> pymunk.Body:
+        # An infinite moment: bodies do not spin, headings are the owners' own.
+        body = pymunk.Body(mass, float("inf"))
+        self.space.add(body, pymunk.Circle(body, radius))
+        return body
+
+    def _batch_rows(self) -> slice:
+        """The rows of the bodies in Pymunk's batches, which hold the ground too."""
+        buffer = Buffer()
+        get_space_bodies(self.space, BodyFields.BODY_ID, buffer)
+        ids = list(memoryview(buffer.int_buf()).cast("P"))
+        first = ids.index(self._bodies[0].id)
+        rows = slice(first, first + len(self._bodies))
+        if ids[rows] != [body.id for body in self._bodies]:
+            raise RuntimeError("Pymunk's batches hold bodies in an order of their own")
+        return rows
+
+    def place(self, position: Floats) -> None:
+        """Puts every body somewhere, at rest, in a physics without a past.
+
+        Args:
+            position: Shape (n, 2) [m].
+        """
+        self._build()
+        self.velocity[:] = 0.0
+        for body, (x, y) in zip(self._bodies, position, strict=True):
+            body.position = float(x), float(y)
+            body.velocity = 0.0, 0.0
+            self.space.reindex_shapes_for_body(body)
+
+    def advance(self, position: Floats, tick: float, ticks: int) -> Floats:
+        """Moves every body for some ticks.
+
+        Args:
+            position: Where each sets out from, out of everything solid, (n, 2) [m].
+            tick: Length of a tick [s].
+            ticks: How many.
+
+        Returns:
+            Where every body is then, a new array of shape (n, 2) [m].
+        """
+        # Bodies may have moved without the engine since it was last asked.
+        self._place[:] = position
+        set_space_bodies(self.space, MOTION, self._buffer)
+        for _ in range(ticks):
+            self.space.step(tick)
+        self._buffer.clear()
+        get_space_bodies(self.space, MOTION, self._buffer)
+        after = self._place.copy()
+        self._keep_out(position, after)
+        return after

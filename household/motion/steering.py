@@ -1,0 +1,167 @@
+"""Steering: from the next waypoint to the velocity of this moment, without bumping.
+
+Compiled with Numba for the same reason as the perception kernel: it runs several
+times in each decision, over all pairs of bodies.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from household.compiled.arrays import Floats, Indices, Mask
+from household.compiled.jit import compiled
+
+COMFORT = 0.5
+"""Gap between bodies below which a walker gives way [m] (our choice)."""
+
+MARGIN = 0.001
+"""Bodies that come this near to each other [m] are left to the engine."""
+
+ATTEMPTS = 3
+"""How often a walker tries to go round everybody who is close, before it waits."""
+
+PUSHY = 0.5
+"""Time without progress after which a walker pushes who stands in its way [s]."""
+
+
+class Close(NamedTuple):
+    """Who is close to a walker, and where; as many elements as there are bodies.
+
+    Attributes:
+        near: Whether each body is close.
+        who: Indices of those who are; the arrays that follow are in their order.
+        x: From the middle of the walker to theirs [m].
+        y: Likewise.
+        gap: Between the walker and each [m].
+    """
+
+    near: Mask
+    who: Indices
+    x: Floats
+    y: Floats
+    gap: Floats
+
+
+@compiled
+def steer(
+    position: Floats,
+    walking: Mask,
+    stalled: Floats,
+    speed: Floats,
+    radius: Floats,
+    period: float,
+    heading: Floats,
+    velocity: Floats,
+    points: Floats,
+    at: Indices,
+) -> None:
+    """Sets velocities that lead walkers to their waypoints, keeping to the right.
+
+    A walker slows down only to end on its waypoint. Where a body is in its way, it
+    turns to its right in proportion to how near that body is, so that two who meet
+    pass each other. It does not walk into anybody, unless it got no further for a
+    while.
+
+    Args:
+        position: Shape (n, 2) [m].
+        walking: Shape (n,).
+        stalled: Since how long each came no nearer, (n,) [s].
+        speed: Of each that walks, shape (n,) [m/s].
+        radius: Of each body, shape (n,) [m].
+        period: Time until the next steering [s].
+        heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
+            place, where they go.
+        velocity: Set to what each walks with, 0 who stands, shape (n, 2) [m/s].
+        points: From `Paths`, shape (n, most, 2) [m].
+        at: From `Paths`, shape (n,).
+    """
+    velocity[:] = 0.0
+    n = len(position)
+    close = Close(
+        np.empty(n, np.bool_),
+        np.empty(n, np.intp),
+        np.empty(n),
+        np.empty(n),
+        np.empty(n),
+    )
+    # Plain rows of numbers: the processor looks at several at once.
+    xs, ys = position[:, 0].copy(), position[:, 1].copy()
+    for i in range(n):
+        if not walking[i]:
+            continue
+        dx, dy = points[i, at[i], 0] - xs[i], points[i, at[i], 1] - ys[i]
+        away = np.sqrt(dx * dx + dy * dy)
+        if away < 1e-9:
+            continue
+        dx /= away
+        dy /= away
+        count = _find_close(xs, ys, radius, i, close)
+        turn = 0.0
+        for k in range(count):
+            ahead = close.x[k] * dx + close.y[k] * dy
+            if 0.0 < ahead < away and close.gap[k] < COMFORT:
+                turn = max(turn, 1.0 - max(close.gap[k], 0.0) / COMFORT)
+        pace = min(speed[i], away / period)
+        vx, vy = dx + turn * dy, dy - turn * dx
+        norm = np.sqrt(vx * vx + vy * vy)
+        vx, vy = pace * vx / norm, pace * vy / norm
+        if stalled[i] < PUSHY:
+            vx, vy = _given_way(walking, radius, period, i, close, count, vx, vy)
+        velocity[i, 0], velocity[i, 1] = vx, vy
+        if vx != 0.0 or vy != 0.0:
+            heading[i] = np.arctan2(vy, vx)
+
+
+@compiled
+def _find_close(xs: Floats, ys: Floats, radius: Floats, i: int, close: Close) -> int:
+    """Lists who is close to a body, or nearly so; returns how many that are."""
+    for j in range(len(xs)):
+        reach = COMFORT + radius[i] + radius[j]
+        close.near[j] = (abs(xs[j] - xs[i]) <= reach) & (abs(ys[j] - ys[i]) <= reach)
+    close.near[i] = False
+    count = 0
+    for j in range(len(xs)):
+        if close.near[j]:
+            x, y = xs[j] - xs[i], ys[j] - ys[i]
+            close.who[count], close.x[count], close.y[count] = j, x, y
+            close.gap[count] = np.sqrt(x * x + y * y) - radius[i] - radius[j]
+            count += 1
+    return count
+
+
+@compiled
+def _given_way(
+    walking: Mask,
+    radius: Floats,
+    period: float,
+    i: int,
+    close: Close,
+    count: int,
+    vx: float,
+    vy: float,
+) -> tuple[float, float]:
+    """Takes from a velocity what would lead into others; who is hemmed in waits.
+
+    Of two walkers each may use half the gap between them, so that both together cannot
+    meet whatever the other does (reciprocal avoidance, van den Berg et al. 2011).
+    """
+    for k in range(count):
+        j, gap = close.who[k], close.gap[k]
+        away, left = gap + radius[i] + radius[j], gap - 2 * MARGIN
+        # From here on the direction to each, and how fast the walker may go there.
+        close.x[k] /= away
+        close.y[k] /= away
+        close.gap[k] = (left / 2 if walking[j] else left) / period
+        if away < 1e-9:
+            close.gap[k] = np.inf
+    for _ in range(ATTEMPTS):
+        clear = True
+        for k in range(count):
+            too_fast = close.x[k] * vx + close.y[k] * vy - close.gap[k]
+            if too_fast > 1e-9:
+                vx -= too_fast * close.x[k]
+                vy -= too_fast * close.y[k]
+                clear = False
+        if clear:
+            return vx, vy
+    return 0.0, 0.0

@@ -1,0 +1,144 @@
+"""Observations: one field table and the two encodings.
+
+Everything is relative to the robot that observes. Slots for people and robots that the
+household does not have are padding: all their elements are 0.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from household.activity import Activity
+from household.compiled.arrays import Singles
+from household.compiled.jit import SINGLES_2D, bind
+from household.observation.kernel import VIEW, View, tell_features, tell_situations
+from household.scenario.scenario import Scenario
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One row of the table.
+
+    Attributes:
+        name: Unique; the loops find the field's place by it.
+        slot: What it is repeated for: "self", "person" or "robot" (the others).
+        size: Elements in each slot.
+        low: Least value.
+        high: Greatest value.
+    """
+
+    name: str
+    slot: str
+    size: int = 1
+    low: float = 0.0
+    high: float = 1.0
+
+
+def fields(n_behaviors: int) -> tuple[Field, ...]:
+    """The field table.
+
+    Args:
+        n_behaviors: How many behaviors the robots can choose.
+    """
+    return (
+        Field("own_behavior", "self", n_behaviors),
+        Field("own_time_left", "self"),
+        Field("own_touches", "self", 2),
+        Field("person_here", "person"),
+        Field("person_offset", "person", 2, low=-1.0),
+        Field("person_activity", "person", len(Activity)),
+        Field("person_walks", "person"),
+        Field("person_attends", "person"),
+        Field("person_attention", "person"),
+        Field("person_faces", "person", low=-1.0),
+        Field("person_mood", "person", low=-1.0),
+        Field("robot_here", "robot"),
+        Field("robot_offset", "robot", 2, low=-1.0),
+        Field("robot_behavior", "robot", n_behaviors),
+    )
+
+
+PLACES = np.dtype([(field.name, np.int64) for field in fields(1)])
+"""Where each field begins."""
+
+
+class Features:
+    """The feature encoding of a scenario.
+
+    Attributes:
+        layout: Name of each field to its slice of the observation.
+        space: The same for every robot.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        slots = {
+            "self": 1,
+            "person": scenario.slots.people or len(scenario.people),
+            "robot": (scenario.slots.robots or len(scenario.robots)) - 1,
+        }
+        table = fields(len(scenario.behaviors))
+        lengths = [slots[f.slot] * f.size for f in table]
+        ends = np.cumsum(lengths).tolist()
+        self.layout = {
+            f.name: slice(end - length, end)
+            for f, length, end in zip(table, lengths, ends, strict=True)
+        }
+        low = np.repeat([f.low for f in table], lengths)
+        high = np.repeat([f.high for f in table], lengths)
+        self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
+        self._shape = (len(scenario.robots), ends[-1])
+        places = tuple(place.start for place in self.layout.values())
+        self._tell = bind(
+            tell_features,
+            np.array([places], dtype=PLACES),
+            len(scenario.behaviors),
+            then=(SINGLES_2D, *VIEW),
+        )
+
+    def encode(self, view: View) -> Singles:
+        """Every robot's observation, a new array of shape (n_robots, length)."""
+        rows = np.zeros(self._shape, np.float32)
+        self._tell(rows, *view)
+        return rows
+
+
+class Situations:
+    """The situation encoding: roles and who attends to the robot.
+
+    Attributes:
+        space: The same for every robot.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        slots = scenario.slots.people or len(scenario.people)
+        self.space = spaces.Dict(
+            {
+                "activities": spaces.MultiDiscrete([len(Activity)] * slots),
+                "attention": spaces.MultiBinary(slots),
+            }
+        )
+        self._shape = (len(scenario.robots), slots)
+
+    def encode(self, view: View) -> list[dict[str, NDArray[Any]]]:
+        """Every robot's observation; padding is `UNKNOWN` and unattending."""
+        activities = np.empty(self._shape, np.int64)
+        attention = np.empty(self._shape, np.int8)
+        tell_situations(activities, attention, view.activity, view.attends)
+        return [
+            {"activities": roles, "attention": looks}
+            for roles, looks in zip(activities, attention, strict=True)
+        ]
+
+
+ENCODINGS: dict[str, type[Features] | type[Situations]] = {
+    "features": Features,
+    "situation": Situations,
+}
+
+
+def layout(scenario: Scenario) -> dict[str, slice]:
+    """Where each field of the feature encoding stands, by name."""
+    return Features(scenario).layout

@@ -1,0 +1,34 @@
+"""Behaviors: what a robot can choose, as data."""
+
+from functools import lru_cache
+from typing import Annotated, Literal
+
+import msgspec
+
+from household.config.toml import Record, convert, packaged, read_toml
+
+Motion = Literal["still", "spin", "wander", "follow", "retreat", "fetch"]
+
+
+class Behavior(Record, frozen=True, kw_only=True):
+    """One thing that a robot can do.
+
+    Attributes:
+        duration: How long one bout lasts [s].
+        loudness: Sound level at 1 m [dB]; 0 is silent.
+        salience: How strongly it draws the eye; 1 is a person standing still.
+        motion: What the body does meanwhile.
+    """
+
+    description: str
+    duration: Annotated[float, msgspec.Meta(gt=0)]
+    loudness: Annotated[float, msgspec.Meta(ge=0, le=120)] = 0.0
+    salience: Annotated[float, msgspec.Meta(gt=0, le=10)] = 1.0
+    motion: Motion = "still"
+
+
+@lru_cache(maxsize=1)
+def catalogue() -> dict[str, Behavior]:
+    """The behaviors that ship with the package, by name."""
+    path = packaged("scenario/behaviors.toml")
+    return convert(read_toml(path), dict[str, Behavior], str(path))

@@ -1,0 +1,68 @@
+"""Norms: what a household finds polite, and how a person's own taste departs from it.
+
+A norm gives a value in [-1, 1] to a behavior, for each activity of the person and for
+whether that person attends to the robot or not.
+"""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Annotated, Literal
+
+import msgspec
+import numpy as np
+
+from household.activity import Activity, activity_of
+from household.compiled.arrays import Floats
+from household.config.toml import Record, convert, packaged, read_toml
+
+Value = Annotated[float, msgspec.Meta(ge=-1, le=1)]
+ActivityName = Literal[
+    "working", "reading", "sleeping", "playing", "entering", "calling", "unknown"
+]
+
+
+class Norm(Record, frozen=True, kw_only=True):
+    """What is thought of each behavior during one activity.
+
+    Attributes:
+        attending: Value of each behavior to a person who attends to the robot.
+        absorbed: The same to a person whose attention is elsewhere.
+    """
+
+    attending: dict[str, Value] = msgspec.field(default_factory=dict)
+    absorbed: dict[str, Value] = msgspec.field(default_factory=dict)
+
+
+Norms = dict[ActivityName, Norm]
+
+
+@lru_cache(maxsize=1)
+def household_norms() -> Norms:
+    """The norms that ship with the package."""
+    path = packaged("scenario/norms.toml")
+    return convert(read_toml(path), Norms, str(path))
+
+
+def norm_table(
+    norms: Mapping[ActivityName, Norm],
+    behaviors: tuple[str, ...],
+    otherwise: float = 0.0,
+) -> Floats:
+    """Norms as an array.
+
+    Args:
+        norms: By activity.
+        behaviors: Names in the order of the robots' actions.
+        otherwise: Value of what is not named; 0 is neither polite nor impolite.
+
+    Returns:
+        Shape (n_activities, 2, n_behaviors): the middle index is 1 for a person who
+        attends to the robot.
+    """
+    table = np.full((len(Activity), 2, len(behaviors)), otherwise)
+    for activity, norm in norms.items():
+        for attending, values in enumerate((norm.absorbed, norm.attending)):
+            for index, behavior in enumerate(behaviors):
+                value = values.get(behavior, otherwise)
+                table[activity_of(activity), attending, index] = value
+    return table

@@ -1,0 +1,93 @@
+"""Personas: the kinds of people that a household can hold."""
+
+from functools import lru_cache
+from typing import Annotated
+
+import msgspec
+
+from household.config.toml import Record, convert, locate, read_toml
+from household.scenario.norms import Norms
+
+Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+
+
+class Persona(Record, frozen=True, kw_only=True):
+    """How a person moves, looks, judges and gives feedback.
+
+    Every constant without a source is our choice (docs/deviations.md).
+
+    Attributes:
+        walking_speed: [m/s]; 1.2 is an adult's usual pace indoors.
+        field_of_view: Full angle in which it sees [degrees]; about 120 for both eyes.
+        head_speed: How fast it turns its head [degrees/s].
+        absorption: What its activity holds back from the attention it can give to
+            others; in units of a person's salience.
+        praise: Chance that it caresses for a wholly polite bout that it did not
+            come to expect.
+        sanction: Chance that it taps for a wholly impolite bout; larger than
+            ``praise``, as people "tend to sanction social faults, but rarely reward
+            correct behavior" (paper, section 3.1).
+        habituation: Share by which each polite bout takes away from the wish to
+            praise the next one (paper, section 5.1: rewards become fewer).
+        recovery: Time constant with which that wish comes back while nothing that
+            pleases goes on [s]; habituation recovers when its stimulus is withheld.
+        contrast: Share of the lost wish that comes back when the robot did wrong
+            (paper, section 5.2: "most of the positive rewards are given after the
+            system has been punished and changed its behavior").
+        tolerance: Appraisals weaker than this call for no feedback.
+        patience: How long it tries to reach a robot before it gives up [s].
+        mistakes: Chance that a touch comes out as the opposite of what was meant.
+        only_when_attending: Gives feedback only for what it sees while it attends
+            to the robot (the actors of experiments 1 and 2).
+        irritability: How far a bad mood raises the chance to sanction.
+        mood_change: Share by which one wholly pleasing or annoying bout moves the
+            mood towards its end of the scale.
+        mood_recovery: Time constant with which a mood fades [s].
+        robot_interest: Chance to look at a robot whenever the gaze moves on.
+        people_interest: Chance to look at a person whenever the gaze moves on.
+        gaze_dwell: Mean time that the gaze rests on one thing [s].
+        reflex: Chance that a loud robot draws the eye.
+        wakes_at: Level at the ear that wakes it [dB]; 45 for a light sleeper, 60
+            for a sound one.
+        awake_for: How long it lies awake then [s].
+        preferences: What it finds polite, where that departs from the household's
+            norms; tells as far as the scenario's heterogeneity lets it.
+    """
+
+    name: str
+    description: str = ""
+    walking_speed: Positive = 1.2
+    field_of_view: Annotated[float, msgspec.Meta(gt=0, le=360)] = 120.0
+    head_speed: Positive = 180.0
+    absorption: Positive = 0.3
+    praise: Share = 0.5
+    sanction: Share = 0.9
+    habituation: Share = 0.15
+    recovery: Positive = 120.0
+    contrast: Share = 0.5
+    tolerance: Share = 0.1
+    patience: Positive = 20.0
+    mistakes: Share = 0.0
+    only_when_attending: bool = False
+    irritability: Share = 0.3
+    mood_change: Share = 0.2
+    mood_recovery: Positive = 300.0
+    robot_interest: Share = 0.2
+    people_interest: Share = 0.2
+    gaze_dwell: Positive = 4.0
+    reflex: Share = 0.3
+    wakes_at: Positive = 55.0
+    awake_for: Positive = 20.0
+    preferences: Norms = msgspec.field(default_factory=dict)
+
+
+@lru_cache(maxsize=64)
+def load_persona(name: str) -> Persona:
+    """Reads a shipped persona by name, or a TOML file by path.
+
+    Raises:
+        HouseholdError: If it cannot be found or a field is wrong.
+    """
+    path = locate(name, "persona")
+    return convert(read_toml(path), Persona, str(path))

@@ -1,0 +1,266 @@
+"""Scenarios: who lives where, with which robots, as frozen records read from TOML."""
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import msgspec
+
+from household.config.faults import faults
+from household.config.toml import Point, Record, convert, locate, read_toml
+from household.home.floorplan import FloorPlan, load_floorplan
+from household.scenario.behavior import Behavior, catalogue
+from household.scenario.norms import Norms, household_norms
+from household.scenario.persona import Persona, load_persona
+from household.scenario.population import Population, individual
+
+Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+Range = tuple[Positive, Positive]
+
+MOST_PEOPLE = 64
+"""In one household; robots perceive all of them at once."""
+
+
+class ScriptStep(Record, frozen=True, kw_only=True):
+    """One line of a person's script.
+
+    Attributes:
+        place: Name of an activity region, or an activity (its first region).
+        duration: Shortest and longest time spent there, drawn anew each time [s];
+            it counts from arrival, and stands still while the person is away to
+            give feedback. Either this or ``until``.
+        until: When the line ends, in time since the episode began [s].
+        look_at: Name of a robot or a person to attend to; None: gaze habits.
+        look_for: Shortest and longest time of looking there at a stretch [s]; None:
+            all the time.
+        look_away: Shortest and longest time of not looking there, in between [s].
+    """
+
+    place: str
+    duration: Range | None = None
+    until: Positive | None = None
+    look_at: str | None = None
+    look_for: Range | None = None
+    look_away: Range = (10.0, 30.0)
+
+
+class Stay(Record, frozen=True, kw_only=True):
+    """One place of a person's schedule (a semi-Markov chain).
+
+    Attributes:
+        duration: Shortest and longest time spent there, from arrival [s].
+        then: Weight of each place to go to afterwards; a place or an activity.
+    """
+
+    duration: Range
+    then: Annotated[
+        dict[str, Annotated[float, msgspec.Meta(ge=0)]], msgspec.Meta(min_length=1)
+    ]
+
+
+class PersonSpec(Record, frozen=True, kw_only=True):
+    """A person of the household.
+
+    Attributes:
+        name: Unique in the scenario.
+        persona: Name of a shipped persona, a TOML path (from the folder of the
+            scenario's file), or the record itself.
+        start: Where the person begins [m]; None: in its first place.
+        script: What the person does, line by line, over and over.
+        schedule: What the person does by chance, by place; begins with the first.
+            Without a script or a schedule, the one that is shipped is followed,
+            as far as the home has places for it.
+    """
+
+    name: Annotated[str, msgspec.Meta(pattern="^[a-z][a-z0-9_]*$")]
+    persona: str | Persona = "easygoing"
+    start: Point | None = None
+    script: tuple[ScriptStep, ...] = ()
+    schedule: dict[str, Stay] = msgspec.field(default_factory=dict)
+
+
+class RobotSpec(Record, frozen=True, kw_only=True):
+    """A robot of the household; they are called robot_0, robot_1, ... in order.
+
+    Attributes:
+        position: Where it begins [m].
+        heading: Where it faces at first [degrees].
+    """
+
+    position: Point
+    heading: float = 0.0
+
+
+class SituationModel(Record, frozen=True, kw_only=True):
+    """Which relations a situation holds.
+
+    Attributes:
+        attention: none: roles alone; robot: also who attends to the robot that the
+            situation is seen from; all: who attends to whom.
+    """
+
+    attention: Literal["none", "robot", "all"] = "robot"
+
+
+class PerceptionModel(Record, frozen=True, kw_only=True):
+    """Constants of sight, attention and hearing; our choice (docs/deviations.md).
+
+    Attributes:
+        focus: Width of the gaze's focus, sigma [degrees].
+        distance: d0, at which an entity counts half [m].
+        attend_above: Share of attention above which one begins to attend.
+        attend_below: Share of attention below which one ceases to; lower, so that
+            attending does not flicker.
+        wall_loss: What a wall takes from a sound [dB]; light indoor walls 25 to 35.
+        mood_noise: Standard deviation with which a robot misreads a mood.
+    """
+
+    focus: Annotated[float, msgspec.Meta(gt=0, le=180)] = 30.0
+    distance: Positive = 3.0
+    attend_above: Share = 0.4
+    attend_below: Share = 0.25
+    wall_loss: Annotated[float, msgspec.Meta(ge=0)] = 25.0
+    mood_noise: Annotated[float, msgspec.Meta(ge=0)] = 0.2
+
+
+class Slots(Record, frozen=True, kw_only=True):
+    """Room in the feature observations, so that scenarios can share a layout.
+
+    Attributes:
+        people: At least as many as the scenario has; None: just as many.
+        robots: The same for robots.
+    """
+
+    people: Annotated[int, msgspec.Meta(ge=1, le=MOST_PEOPLE)] | None = None
+    robots: Annotated[int, msgspec.Meta(ge=1, le=16)] | None = None
+
+
+class Scenario(Record, frozen=True, kw_only=True):
+    """A household and what happens in it.
+
+    Attributes:
+        home: Name of a shipped home, a TOML path (from the folder of the scenario's
+            file), or the floor plan itself.
+        max_cycles: Decisions in an episode.
+        decision_period: Time between the robots' decisions [s].
+        steering_period: Time between looks at where everybody walks [s].
+        physics_period: Length of a physics tick [s].
+        behaviors: What the robots can choose, in the order of their actions.
+        behavior: The user's own behaviors, by name.
+        norms: What the household finds polite; None: the norms that are shipped.
+        heterogeneity: How far people depart from the norms and from each other: 0
+            makes roles interchangeable, 1 gives everybody a taste of its own.
+        population: Draws in what people depart from the norms.
+    """
+
+    name: str
+    description: str = ""
+    home: str | FloorPlan = "smart_room"
+    max_cycles: Annotated[int, msgspec.Meta(ge=1)] = 1000
+    decision_period: Positive = 1.0
+    steering_period: Positive = 0.2
+    physics_period: Positive = 0.1
+    behaviors: Annotated[tuple[str, ...], msgspec.Meta(min_length=2)]
+    behavior: dict[str, Behavior] = msgspec.field(default_factory=dict)
+    people: Annotated[
+        tuple[PersonSpec, ...], msgspec.Meta(min_length=1, max_length=MOST_PEOPLE)
+    ]
+    robots: Annotated[tuple[RobotSpec, ...], msgspec.Meta(min_length=1, max_length=16)]
+    norms: Norms | None = None
+    heterogeneity: Share = 0.0
+    population: Population = Population()
+    situation: SituationModel = SituationModel()
+    perception: PerceptionModel = PerceptionModel()
+    slots: Slots = Slots()
+
+    @property
+    def plan(self) -> FloorPlan:
+        """The home's floor plan."""
+        home = self.home
+        return home if isinstance(home, FloorPlan) else load_floorplan(home)
+
+    @property
+    def personas(self) -> tuple[Persona, ...]:
+        """Each person's persona with its individual traits, in order."""
+        return tuple(
+            individual(_persona(spec), self.population, self.heterogeneity, index)
+            for index, spec in enumerate(self.people)
+        )
+
+    @property
+    def repertoire(self) -> tuple[Behavior, ...]:
+        """The robots' behaviors, in the order of their actions."""
+        known = catalogue() | self.behavior
+        return tuple(known[name] for name in self.behaviors)
+
+    @property
+    def robot_names(self) -> tuple[str, ...]:
+        """robot_0, robot_1, ..."""
+        return tuple(f"robot_{index}" for index in range(len(self.robots)))
+
+    @property
+    def person_names(self) -> tuple[str, ...]:
+        """The people's names, in order."""
+        return tuple(person.name for person in self.people)
+
+    @property
+    def household_norms(self) -> Norms:
+        """The norms that hold in this household."""
+        return household_norms() if self.norms is None else self.norms
+
+
+def _persona(spec: PersonSpec) -> Persona:
+    """The persona that a person is made after."""
+    named = spec.persona
+    return named if isinstance(named, Persona) else load_persona(named)
+
+
+def read_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:
+    """A scenario, each of its fields checked, but not yet how they fit together.
+
+    Args:
+        scenario: A built-in name, a path to a TOML file, or a scenario.
+        **overrides: Top-level fields to replace.
+
+    Raises:
+        HouseholdError: Names the file, the path inside it and what is allowed.
+    """
+    fields: dict[str, Any]
+    if isinstance(scenario, Scenario):
+        origin, fields = scenario.name, msgspec.structs.asdict(scenario)
+    else:
+        path = locate(str(scenario), "scenario")
+        origin, fields = str(path), _from_its_folder(read_toml(path), path.parent)
+    # As plain data, so that overrides are checked like what stands in a file.
+    return convert(msgspec.to_builtins(fields | overrides), Scenario, origin)
+
+
+def _from_its_folder(fields: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Files that a scenario names are sought from where its own file lies."""
+
+    def placed(name: object) -> object:
+        is_file = isinstance(name, str) and name.endswith(".toml")
+        return str(folder / str(name)) if is_file else name
+
+    for record, field in ((fields, "home"), *((p, "persona") for p in _people(fields))):
+        if field in record:
+            record[field] = placed(record[field])
+    return fields
+
+
+def _people(fields: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tables of people, where the file has them in the right form."""
+    people = fields.get("people")
+    return (
+        [p for p in people if isinstance(p, dict)] if isinstance(people, list) else []
+    )
+
+
+def wrong_fields(scenario: str | Path) -> tuple[str, ...]:
+    """Every field of a scenario's file that is wrong by itself, one line each.
+
+    Raises:
+        HouseholdError: If the file cannot be read.
+    """
+    path = locate(str(scenario), "scenario")
+    return tuple(faults(read_toml(path), Scenario))

@@ -1,0 +1,81 @@
+"""Random streams: one seed, one history; nobody's draws depend on who else is there."""
+
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+import numpy as np
+
+from household.compiled.arrays import Floats
+
+PEOPLE, ROBOTS, FACES = 0, 1, 2
+
+AHEAD = 64
+"""Moments for which numbers are drawn at once: one by one, each takes a microsecond."""
+
+Distribution = Literal["uniform", "normal"]
+
+
+class Streams:
+    """Independent generators for each person and robot, anew in each episode.
+
+    Attributes:
+        people: One generator for each person.
+        robots: One for each robot, for what it does.
+        faces: One for each robot, for how it misreads faces.
+    """
+
+    def __init__(self, n_people: int, n_robots: int) -> None:
+        self._counts = (n_people, n_robots)
+        self._entropy: int | Sequence[int] | None = None
+        self._episode = 0
+
+    def begin(self, seed: int | None) -> None:
+        """Begins an episode.
+
+        Args:
+            seed: Begins a history of its own; None goes on with the present one, so
+                that episodes differ and yet can be repeated.
+        """
+        if seed is not None or self._entropy is None:
+            self._entropy = np.random.SeedSequence(seed).entropy
+            self._episode = 0
+        else:
+            self._episode += 1
+        self.people = self._generators(PEOPLE)
+        self.robots = self._generators(ROBOTS)
+        self.faces = self._generators(FACES)
+
+    def _generators(self, kind: int) -> list[np.random.Generator]:
+        count = self._counts[min(kind, ROBOTS)]
+        keys = ((self._episode, kind, index) for index in range(count))
+        return [
+            np.random.default_rng(np.random.SeedSequence(self._entropy, spawn_key=key))
+            for key in keys
+        ]
+
+
+def draws(
+    rngs: Sequence[np.random.Generator],
+    size: int,
+    distribution: Distribution = "uniform",
+) -> Iterator[Floats]:
+    """The random numbers of several streams, as many from each at every moment.
+
+    They are drawn whether anybody needs them or not, so that what happens in one
+    moment shifts nobody's numbers in the next.
+
+    Args:
+        rngs: The streams.
+        size: Numbers from each stream at each moment.
+        distribution: "uniform" in [0, 1) or standard "normal".
+
+    Yields:
+        The numbers of the next moment, shape (n_streams, size); for reading, and only
+        until the next are asked for.
+    """
+    numbers = np.empty((len(rngs), AHEAD, size))
+    while True:
+        for rng, ahead in zip(rngs, numbers, strict=True):
+            draw = rng.random if distribution == "uniform" else rng.standard_normal
+            draw(out=ahead)
+        yield from numbers.swapaxes(0, 1)

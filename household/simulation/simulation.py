@@ -1,0 +1,269 @@
+"""The simulation: what happens in a household between one decision and the next.
+
+`Simulation` holds everything that exists and moves; it knows nothing of agents, spaces
+or rewards. The environment steps it, and evaluators and replays look at it.
+"""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from household.compiled.arrays import Floats, SideBySide
+from household.compiled.jit import FLOATS_2D, bind
+from household.feedback import Feedback
+from household.motion.crowd import BodyParams, Crowd
+from household.observation.kernel import View
+from household.people.appraisal import heard_strength, seen_strength
+from household.people.feelings import misread
+from household.people.mind import Wish
+from household.people.people import REACH, MakeMinds, People
+from household.perception.senses import Beings, Senses
+from household.robots.motions import MOTIONS, Mover
+from household.robots.robots import Robots
+from household.scenario.scenario import MOST_PEOPLE, Scenario
+from household.simulation.random_streams import Streams, draws
+
+PERSON_RADIUS, ROBOT_RADIUS = 0.25, 0.15
+"""Of the bodies [m]; the robot's is that of a small dog, as the AIBO is."""
+
+PERSON_MASS, ROBOT_MASS = 70.0, 2.0
+"""Of the bodies [kg]; an AIBO weighs about 2 kg."""
+
+ROBOT_SPEED = 0.5
+"""At which robots walk [m/s]."""
+
+ROBOT_HEAD_SPEED = 360.0
+"""How fast robots turn their heads [degrees/s]."""
+
+ROBOT_VIEW = math.radians(120.0) / 2
+"""Half a robot's field of view [rad]."""
+
+ROOM, ROOM_FOR_PAIRS = 96, 10
+"""For what is recorded of everybody and of every pair [bytes]."""
+
+
+class Simulation:
+    """The people and the robots of a household, their bodies and their senses.
+
+    Args:
+        scenario: Who lives where.
+        make_minds: Gives the scenario's people their minds.
+
+    Attributes:
+        scenario: Who lives where.
+        people: What they think and intend.
+        robots: What they do and feel.
+        crowd: Everybody's body; people come first and robots after them.
+        senses: Who sees, hears and attends to whom.
+        moods: The people's moods as each robot reads them, (n_robots, n_people).
+        view: What robots may know of this moment.
+        memory: Holds all of that which is recorded.
+        half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
+        revision: Another number whenever roles or attention are others than before.
+        decision: Decisions since the beginning.
+        time: Since the beginning [s].
+    """
+
+    def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
+        self.scenario = scenario
+        n = len(scenario.people) + len(scenario.robots)
+        # What is recorded at each moment is copied all at once.
+        self.memory = SideBySide(ROOM * n + ROOM_FOR_PAIRS * n * n)
+        zeros = self.memory.zeros
+        self.people = People(scenario, make_minds, zeros)
+        self.robots = Robots(scenario, zeros)
+        self.revision, self.decision, self.time = 0, 0, 0.0
+        personas = [person.persona for person in self.people.everyone]
+        n_people, n_robots = len(personas), len(self.robots.names)
+        self._n_people = n_people
+        self.crowd = Crowd(
+            scenario.plan,
+            build=BodyParams(
+                np.array([PERSON_RADIUS] * n_people + [ROBOT_RADIUS] * n_robots),
+                np.array([PERSON_MASS] * n_people + [ROBOT_MASS] * n_robots),
+                np.array(
+                    [p.walking_speed for p in personas] + [ROBOT_SPEED] * n_robots
+                ),
+            ),
+            steering_period=scenario.steering_period,
+            physics_period=scenario.physics_period,
+            zeros=zeros,
+        )
+        self.senses = Senses(
+            scenario.plan, scenario.perception, n, silent=n_people, zeros=zeros
+        )
+        self._streams = Streams(n_people, n_robots)
+        head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
+        self._head_turn = np.radians(head_speed) * scenario.decision_period
+        self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
+        self.half_view: Floats = zeros((n,))
+        self.half_view[:] = ROBOT_VIEW
+        self.moods = np.zeros((n_robots, n_people))
+        self._salience = np.ones(n_people + n_robots)
+        self._source = np.zeros(n_people + n_robots)
+        self._moments = round(scenario.decision_period / scenario.steering_period)
+        # What is perceived is always in the same arrays.
+        self._beings = Beings(
+            self.crowd.position,
+            self.crowd.gaze,
+            self.half_view,
+            self._salience,
+            self._absorption,
+            self._source,
+        )
+        noise, mood = scenario.perception.mood_noise, self.people.feelings.mood
+        self._misread = bind(misread, mood, noise, self.moods, then=[FLOATS_2D])
+        self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
+        self.view = self._view()
+
+    def begin(self, seed: int | None) -> None:
+        """Begins an episode.
+
+        Args:
+            seed: Begins a history of its own; None goes on with the present one.
+        """
+        self.decision, self.time = 0, 0.0
+        self.revision += 1
+        self._streams.begin(seed)
+        # Drawn for as many as could be here, so that one more shifts nobody's draws.
+        self._noise = draws(self._streams.faces, MOST_PEOPLE, "normal")
+        self._movers = [
+            Mover(
+                body=self._n_people + robot,
+                n_people=self._n_people,
+                spots=self.people.places.centers,
+                rng=rng,
+                period=self.scenario.decision_period,
+            )
+            for robot, rng in enumerate(self._streams.robots)
+        ]
+        self.robots.begin()
+        self.senses.forget()
+        people = self.people.begin(self._streams.people)
+        robots = np.array([spec.position for spec in self.scenario.robots])
+        headings = np.radians([spec.heading for spec in self.scenario.robots])
+        self.crowd.place(
+            np.vstack([people, robots]),
+            np.concatenate([np.zeros(len(people)), headings]),
+        )
+        self.people.show(self.crowd.position, self.half_view)
+        self._look_around(np.full(len(self._head_turn), 2 * np.pi))
+        self._perceive()
+
+    def go_on(self, choices: Mapping[int, int]) -> None:
+        """Lets one decision period pass.
+
+        Robots do what they chose; people walk, look around and touch; everybody
+        perceives; people judge what is new to them and decide what to do next.
+
+        Args:
+            choices: The behavior of each robot, by index; a robot without a choice
+                goes on with what it does.
+        """
+        for robot, behavior in choices.items():
+            self.robots.choose(robot, behavior, self.decision, self.time)
+        self._move_robots()
+        self._walk_and_touch()
+        self.decision += 1
+        self.time = self.decision * self.scenario.decision_period
+        self._look_around(self._head_turn)
+        self._perceive()
+        self.people.judge(self.senses, self.robots)
+        self.people.decide(self.crowd, self.senses, self.robots, self.time)
+
+    def _move_robots(self) -> None:
+        """Robots move as their behaviors have it; who is done stands still."""
+        n_people, now = self._n_people, self.time
+        for robot, bout in enumerate(self.robots.bouts):
+            if self.robots.is_over(robot, now):
+                self.crowd.halt(n_people + robot)
+                continue
+            mover = self._movers[robot]
+            mover.begins, mover.now = bout.decision == self.decision, now
+            self._motions[bout.behavior](mover, self.crowd)
+
+    def _walk_and_touch(self) -> None:
+        """People walk where they intended to and touch robots that they reach."""
+        self.robots.forget_touches()
+        moment = 0
+        while moment < self._moments:
+            left = self._moments - moment
+            moment += self.crowd.advance(left, self.people.target, REACH)
+            now = self.time + moment * self.scenario.steering_period
+            for i, wish in self.people.wishes_at_hand(self.crowd, self.senses):
+                self._touch(i, wish, now)
+
+    def _touch(self, i: int, wish: Wish, now: float) -> None:
+        """A person touches a robot, which feels it and sees who it was."""
+        person, j = self.people.everyone[i], self._n_people + wish.robot
+        feedback = Feedback(
+            giver=person.name,
+            kind=wish.kind,
+            strength=wish.strength,
+            time=now,
+            mood=float(self.moods[wish.robot, i]),
+            attending=bool(self.senses.attends[i, j]),
+            approach_began=self.crowd.walks_since(i),
+            attention_began=_known(self.senses.attention_began[i, j]),
+        )
+        self.robots.feel(wish.robot, feedback, wish.cause)
+        self.people.has_touched(i)
+        self.crowd.halt(i)
+
+    def _look_around(self, most: Floats) -> None:
+        """Everybody turns its head towards what it wants to look at."""
+        self.crowd.turn_heads(self.people.intentions.look, self.people.focus, most)
+
+    def _perceive(self) -> None:
+        """Everybody sees, hears and attends; robots read moods off faces."""
+        since = self.time - self.scenario.decision_period
+        changed = self.people.show(self.crowd.position, self.half_view)
+        self.robots.show(since, self.time, self._salience, self._source)
+        changed |= self.senses.perceive(self._beings, self.time)
+        self.revision += changed
+        self._misread(next(self._noise))
+
+    def _view(self) -> View:
+        """What robots may know; made once, as all arrays stay the same."""
+        senses, robots = self.senses, self.robots
+        return View(
+            position=self.crowd.position,
+            facing=senses.facing,
+            attends=senses.attends,
+            attention=senses.attention,
+            walking=self.crowd.walking,
+            activity=self.people.activity,
+            mood=self.moods,
+            behavior=robots.behaviors,
+            left=robots.left,
+            touches=robots.felt,
+        )
+
+    def appropriateness(self, robot: int, *, on_average: bool = False) -> Floats:
+        """What the people present would think of each behavior of a robot now.
+
+        The mean over all people of their preference times how strongly each would
+        see or hear that behavior.
+
+        Args:
+            robot: Index of the robot.
+            on_average: As if everybody were the average person of the population.
+
+        Returns:
+            Shape (n_behaviors,), in [-1, 1].
+        """
+        n, target = self._n_people, self._n_people + robot
+        senses = self.senses
+        loudness = np.array([b.loudness for b in self.scenario.repertoire])
+        heard = heard_strength(loudness - senses.loss[:n, target, None])
+        seen = seen_strength(senses.attention[:n, target, None])
+        attends = senses.attends[:n, n:]
+        liked = self.people.appraisals.preferred(
+            self.people.activity, attends, on_average=on_average
+        )[:, robot]
+        return (liked * np.maximum(seen, heard)).mean(axis=0)
+
+
+def _known(moment: float) -> float | None:
+    return None if math.isnan(moment) else float(moment)

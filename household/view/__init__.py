@@ -1,0 +1,1 @@
+"""Pictures of homes and of the people in them."""

@@ -1,0 +1,242 @@
+"""Rendering: a household as a picture of 640 x 480 pixels, with pygame.
+
+Draws snapshots and nothing else, so a replay file is rendered as the episode was.
+"""
+
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from household.activity import ACTIVITY_NAMES, Activity
+from household.compiled.arrays import Floats
+from household.errors import HouseholdError
+from household.scenario.scenario import Scenario
+from household.simulation.snapshot import Snapshot
+from household.view.colors import ACTIVITIES, CARESS, TAP, behavior_color, rgb
+from household.view.cone import gaze_cones
+from household.view.raster import rasterize, size_of
+
+if TYPE_CHECKING:
+    import pygame
+
+SIZE = (640, 480)
+"""Width and height of every picture [pixels]."""
+
+CAPTION = 22
+"""Height of the line of text below the plan [pixels]."""
+
+SHOWN = 3.0
+"""How long a touch is to be seen [s]."""
+
+INK, PAPER = (30, 30, 30), (255, 255, 255)
+
+Point = tuple[float, float]
+
+
+def load_pygame() -> ModuleType:
+    """Imports pygame.
+
+    Raises:
+        HouseholdError: If it is not installed; says what to install.
+    """
+    try:
+        import pygame
+    except ImportError:
+        raise HouseholdError(
+            "rendering needs pygame: pip install 'polite-household[render]'"
+        ) from None
+    return pygame
+
+
+class Painter:
+    """Paints the moments of an episode one after another.
+
+    Args:
+        scenario: The household.
+
+    Raises:
+        HouseholdError: If pygame is not installed.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
+
+        self._pygame = load_pygame()
+        self._pygame.font.init()
+        self._scenario = scenario
+        self._radii = (PERSON_RADIUS, ROBOT_RADIUS)
+        width, height = size_of(scenario.plan)
+        scale = min(SIZE[0] / width, (SIZE[1] - CAPTION) / height)
+        self._raster = rasterize(scenario.plan, float(scale))
+        pixels = self._raster.pixels.swapaxes(0, 1)
+        self._home = self._pygame.surfarray.make_surface(pixels)
+        self._margin = (SIZE[0] - self._home.get_width()) / 2
+        self._font = self._pygame.font.Font(_font_path(), 11)
+        self._recent: dict[str, tuple[float, Point, str]] = {}
+
+    def paint(self, snapshot: Snapshot) -> "pygame.Surface":
+        """A picture of a moment; earlier touches are still seen for a while."""
+        surface = self._pygame.Surface(SIZE)
+        surface.fill(PAPER)
+        surface.blit(self._home, (self._margin, 0))
+        self.remember(snapshot)
+        self._draw_gazes(surface, snapshot)
+        self._draw_people(surface, snapshot)
+        self._draw_robots(surface, snapshot)
+        self._draw_touches(surface)
+        caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
+        text = f"{caption}    decision {snapshot.decision}"
+        surface.blit(self._font.render(text, True, INK), (8, SIZE[1] - CAPTION + 4))
+        return surface
+
+    def pixels(self, snapshot: Snapshot) -> NDArray[np.uint8]:
+        """The same as an array of shape (480, 640, 3)."""
+        picture = self._pygame.surfarray.array3d(self.paint(snapshot))
+        frame: NDArray[np.uint8] = np.ascontiguousarray(picture.swapaxes(0, 1))
+        return frame
+
+    def _at(self, point: Floats | Point) -> Point:
+        """Pixels of a place [m]."""
+        raster = self._raster
+        return (
+            self._margin + (float(point[0]) - raster.left) * raster.scale,
+            (raster.top - float(point[1])) * raster.scale,
+        )
+
+    def remember(self, snapshot: Snapshot) -> None:
+        """Keeps the newest touch of each robot; forgets what is long past."""
+        now, first = snapshot.time, len(self._scenario.people)
+        for robot, (time, _, _) in list(self._recent.items()):
+            # Later than now: an episode has begun anew.
+            if not now - SHOWN < time < now:
+                del self._recent[robot]
+        for touch in snapshot.touches:
+            index = first + self._scenario.robot_names.index(touch.robot)
+            spot = self._at(snapshot.position[index])
+            self._recent[touch.robot] = (now, spot, touch.feedback.kind)
+
+    def _draw_gazes(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        n = len(self._scenario.people)
+        cones = gaze_cones(
+            snapshot.position[None, :n],
+            snapshot.gaze[None, :n],
+            snapshot.half_view[None],
+            self._scenario.plan.opaque_segments,
+            self._scenario.perception.distance,
+        )[0]
+        layer = self._pygame.Surface(SIZE, self._pygame.SRCALPHA)
+        for outline, role in zip(cones, snapshot.activity, strict=True):
+            color = rgb(ACTIVITIES[role])
+            points = [self._at(point) for point in outline]
+            self._pygame.draw.polygon(layer, (*color, 45), points)
+            self._pygame.draw.aalines(layer, (*color, 150), True, points)
+        surface.blit(layer, (0, 0))
+
+    def _draw_people(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        for i, name in enumerate(self._scenario.person_names):
+            role = int(snapshot.activity[i])
+            self._draw_body(surface, snapshot, i, ACTIVITIES[role])
+            known = role != Activity.UNKNOWN
+            text = f"{name}: {ACTIVITY_NAMES[role]}" if known else name
+            text += " (eyes closed)" if snapshot.half_view[i] < 0 else ""
+            below = (0.0, self._radii[0] * self._raster.scale)
+            self._write(surface, text, self._at(snapshot.position[i]), below)
+
+    def _draw_robots(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        first = len(self._scenario.people)
+        for j, name in enumerate(self._scenario.robot_names):
+            doing = int(snapshot.behavior[j])
+            self._draw_body(surface, snapshot, first + j, behavior_color(doing))
+            word = self._scenario.behaviors[doing] if doing >= 0 else "-"
+            below = (0.0, self._radii[1] * self._raster.scale)
+            at = self._at(snapshot.position[first + j])
+            self._write(surface, f"{name}: {word}", at, below)
+
+    def _draw_body(
+        self, surface: "pygame.Surface", snapshot: Snapshot, i: int, color: str
+    ) -> None:
+        """A disc with a nose where the head points; a robot's has a square in it."""
+        draw, robot = self._pygame.draw, i >= len(self._scenario.people)
+        at = self._at(snapshot.position[i])
+        radius = self._radii[robot] * self._raster.scale
+        angle = float(snapshot.heading[i] if robot else snapshot.gaze[i])
+        nose = (
+            at[0] + 1.5 * radius * np.cos(angle),
+            at[1] - 1.5 * radius * np.sin(angle),
+        )
+        draw.line(surface, INK, at, nose, 4)
+        draw.aacircle(surface, INK, at, radius + 1.5)
+        draw.aacircle(surface, rgb(color), at, radius)
+        if robot:
+            side = radius * 0.8
+            box = (at[0] - side / 2, at[1] - side / 2, side, side)
+            draw.rect(surface, INK, box, 2)
+
+    def _draw_touches(self, surface: "pygame.Surface") -> None:
+        """A ring round the robot and a sign, green for a caress, red for a tap."""
+        for _, spot, kind in self._recent.values():
+            color = rgb(CARESS if kind == "caress" else TAP)
+            radius = self._radii[1] * self._raster.scale + 7
+            self._pygame.draw.aacircle(surface, color, spot, radius, 4)
+            self._write(surface, kind, spot, (0.0, -radius - 16), color)
+
+    def _write(
+        self,
+        surface: "pygame.Surface",
+        text: str,
+        at: Point,
+        offset: Point,
+        color: tuple[int, int, int] = INK,
+    ) -> None:
+        """Writes text on a light ground, centered, inside the picture."""
+        words = self._font.render(text, True, color)
+        box = words.get_rect(midtop=(at[0] + offset[0], at[1] + offset[1] + 3))
+        box.clamp_ip(surface.get_rect())
+        ground = self._pygame.Surface(box.inflate(6, 2).size, self._pygame.SRCALPHA)
+        ground.fill((255, 255, 255, 200))
+        surface.blit(ground, box.inflate(6, 2))
+        surface.blit(words, box)
+
+
+class Screen:
+    """What ``render`` shows: a window, or an array.
+
+    Args:
+        scenario: The household.
+        mode: "human" or "rgb_array".
+        fps: Most pictures in a second in a window.
+    """
+
+    def __init__(self, scenario: Scenario, mode: str, fps: int) -> None:
+        self._painter = Painter(scenario)
+        self._pygame = load_pygame()
+        self._human, self._fps = mode == "human", fps
+        if self._human:
+            self._pygame.display.init()
+            self._window = self._pygame.display.set_mode(SIZE)
+            self._pygame.display.set_caption(f"Household: {scenario.name}")
+            self._clock = self._pygame.time.Clock()
+
+    def show(self, snapshot: Snapshot) -> NDArray[np.uint8] | None:
+        """Shows a moment; returns it as an array, or None if there is a window."""
+        if not self._human:
+            return self._painter.pixels(snapshot)
+        self._window.blit(self._painter.paint(snapshot), (0, 0))
+        self._pygame.event.pump()
+        self._pygame.display.flip()
+        self._clock.tick(self._fps)
+        return None
+
+    def close(self) -> None:
+        """Closes the window."""
+        if self._human:
+            self._pygame.display.quit()
+
+
+def _font_path() -> str:
+    """Matplotlib brings a font along; pygame's own is hard to read when small."""
+    from matplotlib.font_manager import findfont
+
+    return str(findfont("DejaVu Sans"))

@@ -1,0 +1,64 @@
+"""Policy shaping (Advise): touches are votes on whether a behavior is right.
+
+Griffith, Subramanian, Scholz, Isbell & Thomaz (2013), "Policy shaping: integrating
+human feedback with reinforcement learning", NIPS. With no reward but the touches
+themselves, the policy is the feedback policy alone.
+"""
+
+import math
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
+
+from learners.errors import ParameterError
+from learners.exploration import Estimates, draw
+from learners.saving import saved
+from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.qtable import Change, QTable
+
+
+@saved
+@dataclass(eq=False)
+class Advise(CreditedLearner):
+    """Counts caresses minus taps, D(s, a), and draws from the policy they imply.
+
+    Pr(a is right) is proportional to C^D(s, a) * (1 - C)^(sum of D over the others).
+    A touch counts by its value and eligibility. Silence does not count.
+
+    Attributes:
+        consistency: C, how often a touch is meant as it is felt, in (1/2, 1). 0.9: our
+            choice.
+        votes: D(s, a), and the touches behind it.
+    """
+
+    consistency: float = field(default=0.9, kw_only=True)
+    votes: QTable = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not 0.5 < self.consistency < 1.0:
+            raise ParameterError(f"consistency is {self.consistency}, not in (1/2, 1)")
+        self.votes = QTable(n_behaviors=self.n_behaviors)
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """Probability of each behavior to be the right one."""
+        row = self.votes.row(state)
+        # C^D (1 - C)^(S - D) is, up to a factor, (C / (1 - C))^D.
+        odds = math.log(self.consistency / (1.0 - self.consistency))
+        top = max(row.values)
+        weights = [math.exp(odds * (votes - top)) for votes in row.values]
+        total = sum(weights)
+        return Estimates([weight / total for weight in weights], row.visits)
+
+    def act(self, state: Hashable) -> int:
+        """A draw from the feedback policy; `exploration` has no part in it."""
+        return draw(self.estimates(state).values, self.rng)
+
+    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+        for feedback, weights in assignments:
+            if feedback is not None:
+                for entry, weight in weights:
+                    votes = self.votes.values(entry.state)[entry.action]
+                    target = votes + weight * feedback.value
+                    self.votes.update(
+                        [Change(entry.state, entry.action, target, 1.0, weight)]
+                    )

@@ -1,0 +1,106 @@
+"""Bounds to measure learners against: chance from below, oracles from above.
+
+What an oracle knows of people it is told by a callable; only a simulator can have one.
+"""
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.credit.history import History
+from learners.credit.rules import CreditRule, Weighing
+from learners.credit.transitions import SituationNetwork
+from learners.experience import Feedback
+from learners.exploration import Estimates, Exploration, Greedy
+from learners.saving import ATTACHED, saved
+from learners.tabular.base import Assignment, CreditedLearner
+
+Appropriateness = Callable[[Hashable], NDArray[np.float64]]
+"""How appropriate each behavior is in a state, shape (n_behaviors,), in [-1, 1]."""
+
+
+@saved
+@dataclass(eq=False)
+class RandomChoice(CreditedLearner):
+    """Any behavior at any time; learns nothing."""
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """All the same."""
+        return Estimates([0.0] * self.n_behaviors, [0.0] * self.n_behaviors)
+
+    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+        """Takes no notice."""
+
+
+@saved
+@dataclass(eq=False)
+class Oracle(RandomChoice):
+    """The best behavior by what people really think.
+
+    With a callable that knows each person it is the persona oracle; with one that knows
+    only the average person, the population oracle.
+
+    Attributes:
+        appropriateness: what people really think.
+        exploration: greedy.
+    """
+
+    appropriateness: Appropriateness = field(metadata=ATTACHED, kw_only=True)
+    exploration: Exploration = field(default_factory=Greedy, kw_only=True)
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """The true appropriateness."""
+        return Estimates(self.appropriateness(state).tolist(), [0.0] * self.n_behaviors)
+
+
+@saved
+@dataclass(eq=False)
+class BestConstant(Oracle):
+    """One and the same behavior everywhere: the best on average over the states met.
+
+    It is told the true appropriateness of every state it was asked to act in, so it
+    settles on the best constant as soon as the average does.
+
+    Attributes:
+        total: sum of appropriateness over the decisions so far, (n_behaviors,).
+    """
+
+    total: NDArray[np.float64] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.total = np.zeros(self.n_behaviors)
+
+    def act(self, state: Hashable) -> int:
+        """Take the state into the average, then choose the best of it."""
+        self.total = self.total + self.appropriateness(state)
+        return super().act(state)
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """The sum so far, the same in every state."""
+        return Estimates(self.total.tolist(), [0.0] * self.n_behaviors)
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class OracleCredit(CreditRule):
+    """All credit to the entry that truly caused the touch.
+
+    Attributes:
+        cause: [s] when the behavior that a touch is about was perceived; None if a
+            touch has no cause (it then goes to no entry).
+    """
+
+    cause: Callable[[Feedback], float | None] = field(metadata=ATTACHED)
+
+    def weigh(
+        self, feedback: Feedback, history: History, network: SituationNetwork
+    ) -> Weighing:
+        """1 to the entry in force at the cause."""
+        cause = self.cause(feedback)
+        if cause is None:
+            return Weighing({}, None)
+        index = history.in_force(cause)
+        return Weighing({index: 1.0}, index)

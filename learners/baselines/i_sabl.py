@@ -1,0 +1,129 @@
+"""I-SABL: silence is evidence, and what kind of evidence is learned.
+
+Loftin, Peng, MacGlashan, Littman, Taylor, Huang & Roberts (2016), "Learning behaviors
+via human-delivered discrete feedback: modeling implicit feedback strategies to speed up
+learning", JAAMAS 30. Trainers who mostly reward mean "wrong" by silence; those who
+mostly punish mean "right". I-SABL infers the strategy by expectation-maximization,
+together with the right behavior of each state.
+"""
+
+import math
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
+
+from learners.checks import check_positive, check_range
+from learners.errors import ParameterError
+from learners.exploration import Estimates
+from learners.saving import saved
+from learners.tabular.base import Assignment, CreditedLearner
+
+_Counts = list[list[float]]  # per behavior: caresses, taps, silences
+
+
+@saved
+@dataclass(eq=False)
+class ISabl(CreditedLearner):
+    """Posterior over the right behavior of each state, from touches and silences.
+
+    A trainer errs with probability `error`; it keeps silent with probability
+    `silence_right` after a right behavior and `silence_wrong` after a wrong one. Values
+    are the probability of each behavior to be right. Only silences of entries that
+    somebody attended to count (our choice: nobody speaks by not being there).
+
+    Attributes:
+        error: probability of a touch of the wrong sign, in (0, 1/2). 0.1: our choice.
+        period: entries between two expectation-maximization passes, >= 1; a pass goes
+            over all states. 10: our choice.
+        prior: strength of the prior on both silences, in pseudo-counts each way, > 0.
+        silence_right: mu+, inferred.
+        silence_wrong: mu-, inferred.
+        counts: evidence per state.
+        elapsed: entries so far.
+    """
+
+    error: float = field(default=0.1, kw_only=True)
+    period: int = field(default=10, kw_only=True)
+    prior: float = field(default=2.0, kw_only=True)
+    silence_right: float = field(default=0.5, init=False)
+    silence_wrong: float = field(default=0.5, init=False)
+    counts: dict[Hashable, _Counts] = field(
+        default_factory=dict, init=False, repr=False
+    )
+    elapsed: int = field(default=0, init=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_range("period", self.period, 1)
+        check_positive("prior", self.prior)
+        if not 0.0 < self.error < 0.5:
+            raise ParameterError(f"error is {self.error}, not in (0, 1/2)")
+
+    def estimates(self, state: Hashable) -> Estimates:
+        """Probability of each behavior to be the right one in a state."""
+        counts = self.counts.get(state)
+        if counts is None:
+            even = [1.0 / self.n_behaviors] * self.n_behaviors
+            return Estimates(even, [0.0] * self.n_behaviors)
+        return Estimates(self._posterior(counts), [sum(each) for each in counts])
+
+    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+        for feedback, weights in assignments:
+            for entry, weight in weights:
+                if feedback is not None:
+                    kind = 0 if feedback.value >= 0.0 else 1
+                elif entry.attended:
+                    kind = 2
+                else:
+                    continue
+                counts = self.counts.setdefault(entry.state, self._no_counts())
+                counts[entry.action][kind] += weight
+        self.elapsed += 1
+        if self.elapsed % self.period == 0:
+            self._infer_strategy()
+
+    def _no_counts(self) -> _Counts:
+        return [[0.0, 0.0, 0.0] for _ in range(self.n_behaviors)]
+
+    def _likelihoods(self) -> tuple[list[float], list[float]]:
+        """Log-probability of caress, tap and silence, if right and if wrong."""
+        e, right, wrong = self.error, self.silence_right, self.silence_wrong
+        if_right = [
+            (1.0 - e) * (1.0 - right),
+            e * (1.0 - wrong),
+            (1.0 - e) * right + e * wrong,
+        ]
+        if_wrong = [
+            e * (1.0 - right),
+            (1.0 - e) * (1.0 - wrong),
+            e * right + (1.0 - e) * wrong,
+        ]
+        return [math.log(p) for p in if_right], [math.log(p) for p in if_wrong]
+
+    def _posterior(self, counts: _Counts) -> list[float]:
+        if_right, if_wrong = self._likelihoods()
+        # Under the hypothesis "a is right" all others are wrong, so only the gain of a
+        # over being wrong itself tells the hypotheses apart.
+        gains = [
+            sum(n * (r - w) for n, r, w in zip(each, if_right, if_wrong, strict=True))
+            for each in counts
+        ]
+        top = max(gains)
+        weights = [math.exp(gain - top) for gain in gains]
+        total = sum(weights)
+        return [weight / total for weight in weights]
+
+    def _infer_strategy(self) -> None:
+        """One pass: how often was there silence after right, and after wrong?"""
+        silent, spoken = [0.0, 0.0], [0.0, 0.0]
+        for counts in self.counts.values():
+            for p, (caresses, taps, silences) in zip(
+                self._posterior(counts), counts, strict=True
+            ):
+                for kind, probability in enumerate((p, 1.0 - p)):
+                    silent[kind] += probability * silences
+                    spoken[kind] += probability * (caresses + taps)
+        shares = [
+            (self.prior + quiet) / (2.0 * self.prior + quiet + loud)
+            for quiet, loud in zip(silent, spoken, strict=True)
+        ]
+        self.silence_right, self.silence_wrong = shares

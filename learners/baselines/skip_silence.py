@@ -1,0 +1,31 @@
+"""Q-learning that skips steps without feedback: silence says nothing.
+
+Loftin, Peng, MacGlashan, Littman, Taylor, Huang & Roberts (2016), "Learning behaviors
+via human-delivered discrete feedback: modeling implicit feedback strategies to speed up
+learning", JAAMAS 30, discuss learners that take no feedback for no information; here
+the paper's own Q-learning is one. The rival to beat: it cannot forget what people no
+longer reward, which is what the paper's social rate is for.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from learners.qlearner import QLearner
+from learners.saving import saved
+from learners.tabular.base import Assignment
+from learners.tabular.rates import AsynchronousRate, Rate
+
+
+@saved
+@dataclass(eq=False)
+class SkipSilence(QLearner):
+    """Q-learning on touches alone.
+
+    Attributes:
+        rate: asynchronous by default; with silence skipped, no social rate is needed.
+    """
+
+    rate: Rate = field(default_factory=AsynchronousRate, kw_only=True)
+
+    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+        super()._absorb([a for a in assignments if a.feedback is not None])

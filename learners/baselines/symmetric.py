@@ -1,0 +1,28 @@
+"""Symmetric Q-learning: one table tied over the orbit of each state.
+
+Ravindran & Barto (2001), "Symmetries and model minimization in Markov decision
+processes"; van der Pol, Worrall, van Hoof, Oliehoek & Welling (2020), "MDP homomorphic
+networks", NeurIPS: symmetric states share one value by construction. It takes for
+granted that people are interchangeable.
+"""
+
+from dataclasses import dataclass, field
+
+from learners.analogy.operators import Analogy, Canonical
+from learners.qlearner import QLearner
+from learners.saving import saved
+from learners.tabular.rates import AsynchronousRate, Rate
+
+
+@saved
+@dataclass(eq=False)
+class SymmetricQ(QLearner):
+    """Standard Q-learning on canonical states.
+
+    Attributes:
+        analogy: the canonical form.
+        rate: asynchronous by default.
+    """
+
+    analogy: Analogy = field(default_factory=Canonical, kw_only=True)
+    rate: Rate = field(default_factory=AsynchronousRate, kw_only=True)

@@ -1,0 +1,50 @@
+"""Uniform window: a touch is about anything in the seconds before it.
+
+Warnell, Waytowich, Lawhern & Stone (2018), "Deep TAMER: interactive agent shaping in
+high-dimensional state spaces", AAAI, credit a window of 0.2 to 4 s uniformly.
+"""
+
+from dataclasses import dataclass
+
+from learners.checks import check_range
+from learners.credit.history import History
+from learners.credit.rules import CreditRule, Weighing
+from learners.credit.transitions import SituationNetwork
+from learners.errors import ParameterError
+from learners.experience import Feedback
+from learners.saving import saved
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class UniformWindow(CreditRule):
+    """Equal credit per second to whatever went on in a window before the touch.
+
+    Attributes:
+        nearest: [s] end of the window before the touch, >= 0.
+        furthest: [s] its beginning before the touch, > nearest.
+    """
+
+    nearest: float = 0.2
+    furthest: float = 4.0
+
+    def __post_init__(self) -> None:
+        check_range("nearest", self.nearest, 0.0)
+        if not self.furthest > self.nearest:
+            raise ParameterError(
+                f"the window from {self.furthest} to {self.nearest} s ago is empty"
+            )
+
+    def weigh(
+        self, feedback: Feedback, history: History, network: SituationNetwork
+    ) -> Weighing:
+        """The share of the window that each entry fills; none if before the history."""
+        begin, end = feedback.time - self.furthest, feedback.time - self.nearest
+        weights: dict[int, float] = {}
+        for index in range(history.in_force(begin), history.in_force(end) + 1):
+            entry = history.entries[index]
+            overlap = min(entry.next_time, end) - max(entry.time, begin)
+            if overlap > 0.0:
+                weights[index] = overlap / (self.furthest - self.nearest)
+        most = max(weights, key=weights.__getitem__, default=None)
+        return Weighing(weights, most)

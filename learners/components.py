@@ -1,0 +1,108 @@
+"""Parts of a learner as plain data, for studies that write down what they compare.
+
+make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
+make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1.2}}))
+"""
+
+import difflib
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+from learners.analogy.adaptive import AdaptiveAnalogy
+from learners.analogy.operators import (
+    Analogy,
+    Canonical,
+    Propagation,
+    RemoveEntity,
+    SwapRoles,
+)
+from learners.credit.rules import Designated, Immediate, Trace
+from learners.errors import ParameterError, UnknownNameError
+from learners.exploration import EpsilonGreedy, Greedy, Softmax, UpperConfidence
+from learners.tabular.rates import (
+    AsynchronousRate,
+    ConstantRate,
+    SocialRate,
+    SynchronousRate,
+)
+
+PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
+    "rate": {
+        "constant": ConstantRate,
+        "synchronous": SynchronousRate,
+        "asynchronous": AsynchronousRate,
+        "social": SocialRate,
+    },
+    "credit": {
+        "immediate": Immediate,
+        "trace": Trace,
+        "designated": Designated,
+    },
+    "analogy": {
+        "none": Analogy,
+        "swap": Propagation,
+        "swap_remove": partial(Propagation, operators=(SwapRoles(), RemoveEntity())),
+        "canonical": Canonical,
+        "adaptive": AdaptiveAnalogy,
+    },
+    "exploration": {
+        "softmax": Softmax,
+        "greedy": Greedy,
+        "epsilon_greedy": EpsilonGreedy,
+        "upper_confidence": UpperConfidence,
+    },
+}
+"""Setting of a learner -> name -> what makes such a part."""
+
+
+def made(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns settings for `make_learner` with every named part made.
+
+    Args:
+        settings: By setting. Of those in `PARTS`, a text names a part, and a mapping
+            names it under `name` beside the part's own settings; all else is passed on.
+
+    Raises:
+        UnknownNameError: If there is no such part or setting of it.
+        ParameterError: If a setting of a part is out of range.
+    """
+    return {
+        setting: _part(setting, value) if setting in PARTS else value
+        for setting, value in settings.items()
+    }
+
+
+def name_of(setting: str, part: object) -> str:
+    """Returns the first name under which parts of this type are made.
+
+    Raises:
+        UnknownNameError: If there is none.
+    """
+    for name, make in PARTS[setting].items():
+        if type(make()) is type(part):
+            return name
+    raise UnknownNameError(f"no {setting} is made as {type(part).__name__}")
+
+
+def _part(setting: str, value: object) -> object:
+    if isinstance(value, str):
+        return _known(setting, value)()
+    if not isinstance(value, Mapping):
+        return value
+    own = dict(value)
+    name = str(own.pop("name", ""))
+    make = _known(setting, name)
+    try:
+        return make(**own)
+    except TypeError as error:
+        raise ParameterError(f"{setting} {name!r}: {error}") from error
+
+
+def _known(setting: str, name: str) -> Callable[..., object]:
+    known = PARTS[setting]
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    raise UnknownNameError(f"there is no {setting} called {name!r}{hint}")

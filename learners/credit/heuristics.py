@@ -1,0 +1,111 @@
+"""Heuristics that designate the pair a feedback is about.
+
+Source: section 3.1 of the paper ("heuristics are modeled as functions that designate a
+recent state-action pair for reward"); which ones is our choice.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from learners.checks import check_positive, check_range
+from learners.credit.history import History
+from learners.experience import Feedback
+from learners.saving import saved
+
+
+class Heuristic(Protocol):
+    """Names one entry of the history."""
+
+    def __call__(self, feedback: Feedback, history: History) -> int:
+        """Index of the entry that the feedback is about.
+
+        Raises:
+            ExperienceError: if the history is empty.
+        """
+        ...
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class MostRecent:
+    """The pair in force when the touch was felt."""
+
+    def __call__(self, feedback: Feedback, history: History) -> int:
+        """Index of that entry."""
+        return history.in_force(feedback.time)
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class FixedDelay:
+    """The pair in force a fixed time before the touch.
+
+    Attributes:
+        delay: [s], >= 0. 3 s: our choice, about the walk across a room.
+    """
+
+    delay: float = 3.0
+
+    def __post_init__(self) -> None:
+        check_range("delay", self.delay, 0.0)
+
+    def __call__(self, feedback: Feedback, history: History) -> int:
+        """Index of that entry."""
+        return history.in_force(feedback.time - self.delay)
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class BeforeApproach:
+    """The pair in force just before the giver left what it was doing to come over.
+
+    That is the pair in force as it set out; but what the robot chose at that very
+    moment cannot be what moved it, and then it is the pair before. A giver that did not
+    need to walk means the pair in force at the touch.
+
+    Attributes:
+        reaction: [s] from perceiving a behavior to setting out, >= 0. 0: what was in
+            force when the giver set out is what moved it.
+    """
+
+    reaction: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_range("reaction", self.reaction, 0.0)
+
+    def __call__(self, feedback: Feedback, history: History) -> int:
+        """Index of that entry."""
+        if feedback.approach_began is None:
+            return history.in_force(feedback.time)
+        set_out = feedback.approach_began - self.reaction
+        index = history.in_force(set_out)
+        entry = history.entries[index]
+        chosen_then = entry.chosen and entry.time >= set_out
+        return history.before(set_out) if chosen_then else index
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
+class AttentionShift:
+    """The pair in force when the giver last began to attend to the robot.
+
+    The shift itself begins a new entry (the situation changes), so the pair is the one
+    just before it. A shift long ago is about something else: then, or if none was
+    seen, it is the pair in force at the touch.
+
+    Attributes:
+        reach: [s] how long ago a shift may be, > 0. 15 s: our choice, the longest walk
+            through a home at 1.2 m/s.
+    """
+
+    reach: float = 15.0
+
+    def __post_init__(self) -> None:
+        check_positive("reach", self.reach)
+
+    def __call__(self, feedback: Feedback, history: History) -> int:
+        """Index of that entry."""
+        began = feedback.attention_began
+        if began is None or feedback.time - began > self.reach:
+            return history.in_force(feedback.time)
+        return history.before(began)

@@ -1,0 +1,1 @@
+"""Tables of values: how they are kept, updated and learned from."""

@@ -1,0 +1,116 @@
+"""The table of values, and the only place where visits are counted."""
+
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learners.checks import check_range
+from learners.saving import saved
+from learners.tabular.updates import moved
+
+
+class Change(NamedTuple):
+    """One value to move.
+
+    Attributes:
+        state: row of the table.
+        action: behavior index.
+        target: what the value moves towards.
+        step: how far, as a share of the way.
+        visits: what it counts as a visit, in [0, 1]; a spread-out update counts in
+            part, so that a trace of a touch does not use up a pair's learning rate.
+    """
+
+    state: Hashable
+    action: int
+    target: float
+    step: float
+    visits: float
+
+
+class Row(NamedTuple):
+    """Values and visits of one state, a list of n_behaviors floats each."""
+
+    values: list[float]
+    visits: list[float]
+
+
+@saved
+@dataclass(kw_only=True, eq=False)
+class QTable:
+    """Values Q(state, action) and visits t(state, action) of every state met.
+
+    Rows come into being when they are first written; reading never adds one.
+
+    Attributes:
+        n_behaviors: number of behaviors, >= 1.
+        initial: value of a pair never updated.
+        updates: number of `update` calls so far: t of the synchronous rate.
+    """
+
+    n_behaviors: int
+    initial: float = 0.0
+    updates: int = field(default=0, init=False)
+    rows: dict[Hashable, Row] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        check_range("n_behaviors", self.n_behaviors, 1)
+        self._unseen = Row([self.initial] * self.n_behaviors, [0.0] * self.n_behaviors)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __iter__(self) -> Iterator[Hashable]:
+        return iter(self.rows)
+
+    def row(self, state: Hashable) -> Row:
+        """Values and visits of a state; for reading only."""
+        return self.rows.get(state, self._unseen)
+
+    def values(self, state: Hashable) -> Sequence[float]:
+        """Values of a state, length n_behaviors; for reading only."""
+        return self.row(state).values
+
+    def visits(self, state: Hashable) -> Sequence[float]:
+        """Visits of a state's pairs, length n_behaviors; for reading only."""
+        return self.row(state).visits
+
+    def array(self, state: Hashable) -> NDArray[np.float64]:
+        """Values of a state, shape (n_behaviors,); a copy."""
+        return np.array(self.row(state).values)
+
+    def to_data(self) -> dict[str, Any]:
+        """All it holds, for `learners.saving`."""
+        return {
+            "n_behaviors": self.n_behaviors,
+            "initial": self.initial,
+            "updates": self.updates,
+            "rows": {state: tuple(row) for state, row in self.rows.items()},
+        }
+
+    @classmethod
+    def from_data(cls, data: dict[str, Any]) -> Self:
+        """The table that `to_data` told of."""
+        table = cls(n_behaviors=data["n_behaviors"], initial=data["initial"])
+        table.updates = data["updates"]
+        table.rows = {state: Row(*row) for state, row in data["rows"].items()}
+        return table
+
+    def update(self, changes: Sequence[Change]) -> None:
+        """Move one pair and its analogs towards their targets, and count the visits.
+
+        One call is one update, however many analogs it is carried to.
+        """
+        for change in changes:
+            row = self.rows.get(change.state)
+            if row is None:
+                row = Row(self._unseen.values.copy(), self._unseen.visits.copy())
+                self.rows[change.state] = row
+            values, visits = row
+            action = change.action
+            values[action] = moved(values[action], change.target, change.step)
+            visits[action] += change.visits
+        self.updates += 1

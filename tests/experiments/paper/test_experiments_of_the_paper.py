@@ -1,0 +1,116 @@
+"""The claims as data, and what only single experiments need."""
+
+import numpy as np
+import polars as pl
+import pytest
+
+from experiments.paper import EXPERIMENTS, cells, table_1
+from experiments.paper.e2 import lowest_mean
+from experiments.running.trial import describe_condition
+from experiments.running.trial_table import TOUCH
+
+CLAIMED = {1: "abc", 2: "abcde", 3: "ab", 4: "abc", 5: "abcd"}
+
+
+@pytest.mark.parametrize("number", range(1, 6))
+def test_every_claim_of_the_paper_is_there(number):
+    found = {claim.id for claim in EXPERIMENTS[number].claims}
+    assert found == {f"{number}{letter}" for letter in CLAIMED[number]}
+
+
+@pytest.mark.parametrize("number", range(2, 6))
+def test_learning_without_silence_is_a_control_of_every_social_experiment(number):
+    learners = {c.name: c.learner for c in EXPERIMENTS[number].conditions}
+    assert learners["skip_silence"] == "skip_silence"
+
+
+@pytest.mark.parametrize("number", range(1, 6))
+def test_conditions_differ_in_their_learners_alone(number):
+    found = [describe_condition(c) for c in EXPERIMENTS[number].conditions]
+    for part in ("scenario", "home", "personas", "behaviors", "norms"):
+        assert all(one[part] == found[0][part] for one in found)
+    for name in ("exploration", "gamma", "initial", "horizon"):
+        assert all(one["settings"][name] == found[0]["settings"][name] for one in found)
+    settings = [one["settings"] for one in found]
+    assert all(
+        one != other for one in settings for other in settings if one is not other
+    )
+
+
+@pytest.mark.parametrize("number", range(1, 6))
+def test_figures_and_claims_name_conditions_that_are_run(number):
+    experiment = EXPERIMENTS[number]
+    names = {condition.name for condition in experiment.conditions}
+    assert {figure.condition for figure in experiment.figures} <= names
+    for claim in experiment.claims:
+        words = claim.condition.replace(",", "").split()
+        assert words[0] in names or claim.condition == "no trials"
+
+
+def test_table_1_comes_out_to_three_decimals():
+    classic, heuristic = (column.round(3).tolist() for column in table_1.columns())
+    assert classic == [1.0, 0.003, 0, 0, 0, 0, 0, 0]
+    assert heuristic == [0, 0, 0, 0.003, 0.1, 1.0, 0, 0]
+    assert table_1.agreement(pl.DataFrame()).tolist() == [1.0] * 16
+
+
+def test_what_is_computed_has_no_interval():
+    found = table_1.computed(np.array([1.0, 0.0]))
+    assert (found.value, found.n, found.method) == (0.5, 2, "exact")
+    assert np.isnan([found.low, found.high]).all()
+
+
+@pytest.fixture
+def life():
+    """Returns a function that makes a table of situations and times, for seeds."""
+
+    def make(**seeds):
+        return pl.concat(
+            pl.DataFrame(rows, schema=["time", "situation"], orient="row").select(
+                pl.lit(seed).alias("seed"), pl.col("time").cast(pl.Float64), "situation"
+            )
+            for seed, rows in seeds.items()
+        )
+
+    return make
+
+
+def test_the_28_situations_are_counted_by_who_reads(life):
+    frame = life(
+        a=[
+            (0, "ann reading, bob entering"),
+            (5, "ann reading, bob entering, bob > robot_0"),
+            (9, "ann reading, bob reading, ann > robot_0"),
+            (20, "ann reading, bob reading, ann > robot_0"),
+            (30, "ann unknown, bob working, ann > robot_0"),
+            (40, "ann calling, bob reading, bob > robot_0"),
+        ],
+        b=[(0, "ann reading, bob entering")],
+    )
+    counts = cells.reached(frame, 10.0)
+    assert dict(counts) == {
+        ("ann", "entering", False): 2,
+        ("ann", "entering", True): 1,
+        ("ann", "reading", False): 1,
+        ("bob", "reading", True): 1,
+        ("bob", "calling", False): 1,
+    }
+    assert cells.seeds_reaching(frame, 10.0)["ann", "entering", False] == 2
+    assert len(cells.CELLS) == len(set(cells.CELLS)) == 28
+
+
+def test_the_lowest_mean_is_found_over_all_seeds_together(table):
+    def trial(seed, *values):
+        felt = [
+            {"time": 2.0 * i + 1.0, "value": value} for i, value in enumerate(values)
+        ]
+        touches = [[dict.fromkeys(names) | one] for one in felt]
+        frame = table([("ann playing", "play", 1.0)] * len(felt), touches=touches)
+        return frame.select(
+            pl.lit("a").alias("condition"), pl.lit(seed).alias("seed"), pl.all()
+        )
+
+    names = [field.name for field in TOUCH.fields]
+    frame = pl.concat([trial(0, -1.0, 0.5, 0.5), trial(1, 0.5, -1.0, 0.5)])
+    # means after each touch: -0.25, -0.5, 0
+    assert lowest_mean(frame, "a").tolist() == [-0.5, -0.5]

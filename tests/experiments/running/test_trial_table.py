@@ -1,0 +1,119 @@
+import polars as pl
+import pytest
+
+from experiments.analysis.measures import touches
+from experiments.running.study import Condition, Trial
+from experiments.running.trial_table import Rows, schema
+from learners.experience import Feedback
+from learners.learner import Credit, Share
+from policies.learning import LearningRobot, run_episode
+
+
+@pytest.fixture
+def trial():
+    condition = Condition(name="a", scenario="toy", learner="q_asynchronous")
+    return Trial(condition=condition, seed=5)
+
+
+def test_a_table_has_exactly_the_documented_columns(play_trial, trial):
+    frame = play_trial(trial)
+    assert frame.schema == schema(("bark", "play"))
+    assert set(frame.columns) == set(schema(()).names())
+
+
+def test_entries_follow_one_another_without_gap_until_the_end(play_trial, trial):
+    frame = play_trial(trial, steps=101)
+    assert frame["time"].to_list() == [2.0 * n for n in range(51)]
+    assert frame["next_time"].to_list()[:-1] == frame["time"].to_list()[1:]
+    assert frame["next_time"][-1] == 101.0
+
+
+def test_the_cumulative_reward_is_the_sum_of_all_touches(play_trial, trial):
+    frame = play_trial(trial)
+    felt = touches(frame)
+    assert len(felt) > 20
+    assert frame["cumulative"][-1] == pytest.approx(felt["value"].sum())
+    assert frame["cumulative"].to_list() == pytest.approx(
+        frame["reward"].cum_sum().to_list()
+    )
+
+
+def test_each_touch_knows_the_bout_that_it_is_truly_about(play_trial, trial):
+    felt = touches(play_trial(trial))
+    assert (felt["cause_bout"] == felt["time"] - 2).all()
+    taps = felt.filter(pl.col("value") < 0)
+    assert set(taps["cause_behavior"]) == {"bark"}
+    assert set(felt["cause_situation"]) == {"ann playing"}
+
+
+def test_immediate_credit_of_a_prompt_touch_hits_the_true_bout(play_trial, trial):
+    felt = touches(play_trial(trial))
+    assert (felt["credited_bout"] == felt["cause_bout"]).all()
+    assert (felt["credited_behavior"] == felt["cause_behavior"]).all()
+
+
+def test_updates_lead_from_each_rows_values_to_the_next_ones(play_trial, trial):
+    frame = play_trial(trial)
+    values = dict(frame["q"][0])
+    for row in frame.iter_rows(named=True):
+        assert values == row["q"]
+        values |= {u["behavior"]: u["value"] for u in row["updates"]}
+    assert values["play"] != 0.0
+
+
+def test_the_same_seed_gives_the_same_table(play_trial, trial):
+    assert play_trial(trial).equals(play_trial(trial))
+
+
+def test_a_table_survives_the_disk(play_trial, trial, tmp_path):
+    frame = play_trial(trial)
+    frame.write_parquet(tmp_path / "x.parquet")
+    assert pl.read_parquet(tmp_path / "x.parquet").equals(frame)
+
+
+class Believer:
+    """Learns nothing and believes that every touch is about the first entry."""
+
+    n_behaviors = 2
+    credits = ()
+
+    def act(self, state):
+        return 0
+
+    def start_episode(self):
+        pass
+
+    def q_values(self, state):
+        return pl.Series([0.0, 0.0]).to_numpy()
+
+    def learn(self, experience):
+        first = Share(state="ann playing", action=1, time=0.0, weight=1.0)
+        other = Share(state="ann playing", action=0, time=4.0, weight=0.2)
+        self.credits = tuple(
+            Credit(feedback=touch, shares=(first, other), designated=None)
+            for touch in experience.feedback
+            if isinstance(touch, Feedback)
+        )
+
+
+def test_without_a_designated_pair_the_largest_share_counts(play_home):
+    rows = Rows()
+    robots = {"robot_0": LearningRobot(Believer())}
+    run_episode(play_home(60), robots, seed=0, observers=[rows])
+    felt = touches(rows.frame())
+    assert len(felt) > 3
+    assert set(felt["credited_bout"]) == {0}
+    assert set(felt["credited_behavior"]) == {"play"}
+
+
+class Unbelieving(Believer):
+    def learn(self, experience):
+        self.credits = ()
+
+
+def test_a_touch_that_nobody_credited_is_kept_without_a_pair(play_home):
+    rows = Rows()
+    robots = {"robot_0": LearningRobot(Unbelieving())}
+    run_episode(play_home(60), robots, seed=0, observers=[rows])
+    felt = touches(rows.frame())
+    assert felt["credited_behavior"].null_count() == len(felt) > 3

@@ -1,0 +1,44 @@
+"""Household situations keep the promises that analogy asks of a state."""
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from household.perception.situation import Situation
+from learners.analogy.operators import Propagation, is_state
+
+NAMES = ("ann", "bob", "eve", "joe")
+ROLES = ("reading", "calling", "playing")
+
+
+@st.composite
+def situations(draw, n):
+    people = NAMES[:n]
+    pairs = [(a, b) for a in people for b in (*people, "robot") if a != b]
+    return Situation.of(
+        {name: draw(st.sampled_from(ROLES)) for name in people},
+        draw(st.lists(st.sampled_from(pairs), max_size=5, unique=True)),
+    )
+
+
+def closure(state):
+    analogy = Propagation(depth=max(len(state.entities) - 1, 1))
+    return {analog for analog, _ in analogy.spread(state)}
+
+
+@settings(deadline=None, max_examples=100)
+@given(data=st.data(), n=st.integers(1, 4))
+def test_the_canonical_situation_stands_for_the_closure_under_swaps(data, n):
+    one, other = (data.draw(situations(n)) for _ in range(2))
+    assert is_state(one)
+    assert {state.canonical() for state in closure(one)} == {one.canonical()}
+    assert (other in closure(one)) == (other.canonical() == one.canonical())
+
+
+@settings(deadline=None, max_examples=50)
+@given(data=st.data(), n=st.integers(2, 4))
+def test_swapping_twice_changes_nothing_and_leaving_takes_all_relations(data, n):
+    state = data.draw(situations(n))
+    assert state.swapped("ann", "bob").swapped("ann", "bob") == state
+    left = state.without("bob")
+    assert "bob" not in left.entities
+    assert "bob" not in {each for pair in left.attends for each in pair}

@@ -1,0 +1,67 @@
+import numpy as np
+import pytest
+
+from learners.analogy.operators import Propagation, RemoveEntity, SwapRoles
+from learners.baselines.skip_silence import SkipSilence
+from learners.catalog import make_learner
+from learners.components import PARTS, made, name_of
+from learners.credit.rules import Designated
+from learners.errors import ParameterError, UnknownNameError
+from learners.tabular.rates import SocialRate
+
+PAIRS = [(setting, name) for setting, known in PARTS.items() for name in known]
+
+
+@pytest.mark.parametrize(("setting", "name"), PAIRS)
+def test_every_named_part_fits_into_a_learner(setting, name, live):
+    rng = np.random.default_rng(1)
+    learner = make_learner("q_social", 3, rng, **made({setting: name}))
+    live(learner, 30, np.random.default_rng(2))
+
+
+def test_skipping_silence_combines_with_credit_and_analogy(live):
+    settings = made({"credit": "designated", "analogy": "swap_remove"})
+    learner = make_learner("skip_silence", 3, np.random.default_rng(1), **settings)
+    assert isinstance(learner, SkipSilence)
+    assert learner.credit == Designated()
+    assert learner.analogy.operators == (SwapRoles(), RemoveEntity())
+    live(learner, 60, np.random.default_rng(2))
+    assert learner.table.updates > 0
+
+
+def test_a_part_takes_its_own_settings():
+    found = made({"rate": {"name": "social", "center": 1.2}, "gamma": 0.5})
+    assert found == {"rate": SocialRate(center=1.2), "gamma": 0.5}
+
+
+def test_a_part_that_is_made_already_is_left_alone():
+    rate = SocialRate(mood=0.0)
+    assert made({"rate": rate})["rate"] is rate
+
+
+def test_no_two_learners_share_a_named_part_with_a_memory():
+    one, other = made({"analogy": "swap"}), made({"analogy": "swap"})
+    assert isinstance(one["analogy"], Propagation)
+    assert one["analogy"] is not other["analogy"]
+
+
+def test_what_is_not_known_is_refused_with_the_nearest_name():
+    with pytest.raises(UnknownNameError, match="no credit called 'imediate'; did you"):
+        made({"credit": "imediate"})
+    with pytest.raises(ParameterError, match=r"rate 'social'.*centre"):
+        made({"rate": {"name": "social", "centre": 1.0}})
+    with pytest.raises(ParameterError, match="smallest exponent"):
+        made({"rate": {"name": "social", "center": 0.75}})
+
+
+def test_a_parts_name_makes_a_part_of_its_type(rng):
+    learner = make_learner("designated_adaptive", 2, rng)
+    found = {setting: name_of(setting, getattr(learner, setting)) for setting in PARTS}
+    assert found == {
+        "rate": "social",
+        "credit": "designated",
+        "analogy": "adaptive",
+        "exploration": "softmax",
+    }
+    with pytest.raises(UnknownNameError, match="no rate is made as str"):
+        name_of("rate", "social")
