@@ -4,7 +4,7 @@ SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
-.PHONY: reproduce test lint slow clean
+.PHONY: reproduce test lint slow golden clean
 
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
@@ -14,6 +14,10 @@ test: .venv/developing
 
 slow: .venv/developing
 	$(BIN)/pytest -m slow
+
+# Renews what histories and learners come to, when behavior has changed on purpose.
+golden: .venv/developing
+	$(BIN)/python -m tests.golden
 
 lint: .venv/developing
 	$(BIN)/ruff check .
