@@ -5,15 +5,15 @@ from functools import partial
 import numpy as np
 
 from household import household_v0
-from household.home.generator import generate
-from household.records import shipped
+from household.config.toml import shipped
+from household.home.sources.generator import generate
 
 from .digest import Digests
 from .records import of_cause, of_situation, of_touch
 
 SEED = 7
 STEPS = 1400
-"""Of each episode; the second phase of the paper's fifth experiment begins after 1200."""
+"""Of each episode; the second phase of experiment 5 begins after 1200."""
 
 INTERRUPTS, IDLES = 0.1, 0.2
 """Chance in each step that a robot breaks off what it does, and that one which is done
@@ -27,7 +27,7 @@ def crowded(**settings):
     exponential, whose last bit depends on the processor.
     """
     home = generate(3, rooms=8)
-    personas = sorted(shipped("people/personas"))
+    personas = sorted(shipped("persona"))
     kinds = [personas[i % len(personas)] for i in range(8)]
     return household_v0.parallel_env(
         "evening",
@@ -41,7 +41,7 @@ def crowded(**settings):
 
 HOMES = {
     "generated": crowded,
-    **{name: partial(household_v0.parallel_env, name) for name in shipped("scenarios")},
+    **{name: partial(household_v0.parallel_env, name) for name in shipped("scenario")},
 }
 """Scenario -> what makes its environment."""
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from experiments.runner import play
-from experiments.trial import Condition, Trial
+from experiments.running.study import Condition, Trial
+from experiments.running.trial import play
 from household import household_v0
 from learners import CATALOG, make_team
 from policies.learning import LearningRobot, Observer, run_episode
