@@ -177,7 +177,6 @@ class Crowd:
 
     def place(self, position: Floats, heading: Floats) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
-        self._physics.place(position)
         self.position[:] = position
         self.heading[:] = self.gaze[:] = heading
         self._where = None

@@ -1,8 +1,13 @@
-"""The physical physics: the only file that knows Pymunk.
+"""Physics: the only file that knows Pymunk.
 
 Walls and furniture are static shapes, people and robots dynamic circles that are
 steered by velocities and push each other. (Kinematic bodies would walk through
 walls.) There is no gravity and no friction: the floor is seen from above.
+
+Where bodies are and how fast they want to go is all that decides where they come to be.
+Chipmunk, inside Pymunk, remembers more, which nobody can read or set: how it was about
+to part bodies that overlap (`v_bias`), the impulses of contacts, and in which order it
+came upon pairs of bodies. So it is made to forget all that before it is asked.
 """
 
 import numpy as np
@@ -16,6 +21,15 @@ from household.motion.collision import boxes_round, keep_out
 
 SLOP = 0.002
 """How deep touching bodies may overlap [m]; the engine's own 0.1 is made for pixels."""
+
+LEFT_OF_OVERLAP = 0.9**120
+"""Share of an overlap that is left after a second of parting bodies. The engine's own
+is 0.9 ** 60, but here it parts them in one of the two ticks of a period."""
+
+FAR_AWAY, APART = 1e4, 3.0
+"""How far from the home bodies are put to be forgotten, and from each other [m]. They
+must be much farther from the home than it is wide: then the engine's search tree for
+pairs, into which they come back one by one, grows without regard to what it was."""
 
 MOTION = BodyFields.POSITION | BodyFields.VELOCITY
 """What is told to the engine and read from it."""
@@ -38,8 +52,14 @@ class Physics:
     """
 
     def __init__(self, plan: FloorPlan, radius: Floats, mass: Floats) -> None:
-        self._plan, self._traits = plan, list(zip(radius, mass, strict=True))
-        self._build()
+        self.space = pymunk.Space()
+        self.space.collision_slop = SLOP
+        self.space.collision_bias = LEFT_OF_OVERLAP
+        # A contact is forgotten after a tick without it.
+        self.space.collision_persistence = 1
+        self._add_home(plan)
+        traits = zip(radius.tolist(), mass.tolist(), strict=True)
+        self._bodies = [self._add_body(*each) for each in traits]
         self.solid = plan.solid_segments
         self.boxes = boxes_round(self.solid)
         walls = len(plan.wall_segments)
@@ -54,20 +74,19 @@ class Physics:
             then=(FLOATS_2D, FLOATS_2D),
         )
         rows = self._batch_rows()
-        # The last row is spare: Pymunk would move an array that becomes full elsewhere.
-        batch, self._buffer = np.zeros((len(self._bodies) + 2, 4)), Buffer()
-        self._buffer.set_float_buf(batch)
+        self._buffer, batch = self._batch()
         self._place, self.velocity = batch[rows, :2], batch[rows, 2:]
+        self._far_away, batch = self._batch()
+        batch[rows, 0] = plan.upper[0] + FAR_AWAY + APART * np.arange(len(radius))
 
-    def _build(self) -> None:
-        """Makes an engine that has seen nothing yet.
+    def _batch(self) -> tuple[Buffer, Floats]:
+        """Memory for where all bodies are and how fast, as Pymunk and as NumPy see it.
 
-        One that has lived remembers contacts, which would go on in the next episode.
+        The last row is spare: Pymunk would move an array that becomes full elsewhere.
         """
-        self.space = pymunk.Space()
-        self.space.collision_slop = SLOP
-        self._add_home(self._plan)
-        self._bodies = [self._add_body(*traits) for traits in self._traits]
+        batch, buffer = np.zeros((len(self._bodies) + 2, 4)), Buffer()
+        buffer.set_float_buf(batch)
+        return buffer, batch
 
     def _add_home(self, plan: FloorPlan) -> None:
         ground = self.space.static_body
@@ -94,19 +113,6 @@ class Physics:
             raise RuntimeError("Pymunk's batches hold bodies in an order of their own")
         return rows
 
-    def place(self, position: Floats) -> None:
-        """Puts every body somewhere, at rest, in a physics without a past.
-
-        Args:
-            position: Shape (n, 2) [m].
-        """
-        self._build()
-        self.velocity[:] = 0.0
-        for body, (x, y) in zip(self._bodies, position, strict=True):
-            body.position = float(x), float(y)
-            body.velocity = 0.0, 0.0
-            self.space.reindex_shapes_for_body(body)
-
     def advance(self, position: Floats, tick: float, ticks: int) -> Floats:
         """Moves every body for some ticks.
 
@@ -118,7 +124,7 @@ class Physics:
         Returns:
             Where every body is then, a new array of shape (n, 2) [m].
         """
-        # Bodies may have moved without the engine since it was last asked.
+        self._forget(tick)
         self._place[:] = position
         set_space_bodies(self.space, MOTION, self._buffer)
         for _ in range(ticks):
@@ -128,3 +134,8 @@ class Physics:
         after = self._place.copy()
         self._keep_out(position, after)
         return after
+
+    def _forget(self, tick: float) -> None:
+        """Lets the engine forget all that it remembers, in a tick without contacts."""
+        set_space_bodies(self.space, MOTION, self._far_away)
+        self.space.step(tick)
