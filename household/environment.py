@@ -21,6 +21,7 @@ from household.perception.situation import Situation
 from household.robots.bout import Bout
 from household.scenario.scenario import Scenario
 from household.scenario.validation import load_scenario
+from household.simulation.checkpoint import Checkpoint, restore, take
 from household.simulation.simulation import Simulation
 from household.simulation.snapshot import snapshot
 
@@ -85,7 +86,6 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.behaviors = self.scenario.behaviors
         self.possible_agents = list(self.scenario.robot_names)
         self.agents: list[str] = []
-        self._begun = False
         self._index = {agent: i for i, agent in enumerate(self.possible_agents)}
         self.simulation = Simulation(self.scenario, make_minds)
         self._situations = SituationReader(self.scenario)
@@ -123,7 +123,6 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         self.agents = list(self.possible_agents)
         self.simulation.begin(seed)
-        self._begun = True
         self._show()
         return self._observations(), {agent: {} for agent in self.agents}
 
@@ -146,6 +145,41 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.simulation.go_on(self._choices(actions))
         self._show()
         return self._results()
+
+    def checkpoint(self) -> Checkpoint:
+        """Takes the whole state of this moment, for `restore`; changes nothing.
+
+        Raises:
+            HouseholdError: Before the first reset, or if the people's minds cannot be
+                pickled.
+        """
+        self._check_begun()
+        return take(self.simulation, tuple(self.agents))
+
+    def restore(self, checkpoint: Checkpoint) -> None:
+        """Goes back, or on, to a moment: from there everything goes on as it did.
+
+        Args:
+            checkpoint: Of this environment, or of another one with the same scenario
+                and the same kind of minds, in whichever process.
+
+        Raises:
+            HouseholdError: If it belongs to another scenario.
+        """
+        restore(self.simulation, checkpoint)
+        self.agents = list(checkpoint.agents)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """How it was made, and the moment that it has come to."""
+        made: dict[str, Any] = super().__getstate__()
+        begun = self.simulation.begun
+        return {**made, "checkpoint": self.checkpoint() if begun else None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Makes it anew and goes on to that moment."""
+        super().__setstate__(state)
+        if state["checkpoint"] is not None:
+            self.restore(state["checkpoint"])
 
     def render(self) -> NDArray[np.uint8] | None:
         """Shows this moment.
@@ -249,7 +283,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self._features.encode(self.simulation.view).reshape(-1)
 
     def _check_begun(self) -> None:
-        if not self._begun:
+        if not self.simulation.begun:
             raise HouseholdError("nobody is at home yet: call reset() first")
 
     def situation(self, agent: str) -> Situation:

@@ -12,6 +12,7 @@ from household.compiled.jit import compiled
 from household.config.toml import Point
 from household.home.floorplan import FloorPlan, Region
 from household.home.navigation.routes import routes_of
+from household.state import Stateful
 
 EDGE = 0.1
 """How far inside its region a spot lies [m], as far as a body lets itself be pushed."""
@@ -28,7 +29,7 @@ KEPT = 1024
 """So many rings round spots are remembered, as people ask for the same ones."""
 
 
-class Places:
+class Places(Stateful):
     """Activity regions with their spots, and who has claimed which.
 
     Args:
@@ -40,6 +41,8 @@ class Places:
             of being nowhere, shape (n_regions + 1,).
         facing: What people look at in each, and NaN at the end, (n_regions + 1, 2) [m].
     """
+
+    STATE = ("_claims",)
 
     def __init__(self, plan: FloorPlan) -> None:
         self.regions = plan.regions

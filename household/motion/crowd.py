@@ -39,6 +39,7 @@ from household.motion.progress import (
     turn_heads,
 )
 from household.motion.steering import PUSHY
+from household.state import Stateful
 
 if TYPE_CHECKING:
     from pymunk import Space
@@ -69,7 +70,7 @@ class BodyParams(NamedTuple):
     speed: Floats
 
 
-class Crowd:
+class Crowd(Stateful):
     """Bodies on the move.
 
     Args:
@@ -88,6 +89,21 @@ class Crowd:
         walking: Who is on its way somewhere, shape (n,).
         walk_began: When each began the walk that it is on, or was on last, (n,) [s].
     """
+
+    STATE = (
+        "position",
+        "heading",
+        "gaze",
+        "walking",
+        "walk_began",
+        "_paths",
+        "_nearest",
+        "_stalled",
+        "_settled",
+        "_sidesteps",
+        "_pressed",
+        "_where",
+    )
 
     def __init__(
         self,

@@ -10,9 +10,10 @@ from household.config.toml import Point
 from household.home.navigation.grid import Cells, Grid
 from household.home.navigation.path import ROOM, find_way
 from household.home.navigation.search import Turns
+from household.state import Stateful
 
 
-class Paths:
+class Paths(Stateful):
     """The way that each body is on, or was on last.
 
     Attributes:
@@ -24,6 +25,8 @@ class Paths:
     points: Floats
     at: Indices
     count: Indices
+
+    STATE = ("points", "at", "count")
 
     def __init__(self, n: int) -> None:
         self.points = np.zeros((n, ROOM, 2))

@@ -16,6 +16,7 @@ from household.people.person import Person
 from household.people.traits import Traits, traits_of
 from household.scenario.norms import norm_table
 from household.scenario.scenario import Scenario
+from household.state import Stateful
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""
@@ -27,7 +28,7 @@ SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
 
 
-class Appraisals:
+class Appraisals(Stateful):
     """What everybody privately thinks of what the robots do.
 
     Args:
@@ -39,6 +40,8 @@ class Appraisals:
         pleasing: Whether each robot does what pleases each person, (n, n_robots).
         arrays: What `appraise` is to be given first.
     """
+
+    STATE = ("_judged", "pleasing", "judgements")
 
     def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
         n, n_robots = len(everyone), len(scenario.robots)

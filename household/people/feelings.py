@@ -9,9 +9,10 @@ from household.compiled.arrays import Floats, Indices, Mask, Zeros
 from household.compiled.jit import compiled
 from household.people.traits import Traits
 from household.scenario.persona import Persona
+from household.state import Stateful
 
 
-class Feelings:
+class Feelings(Stateful):
     """What everybody keeps to itself.
 
     Args:
@@ -26,6 +27,8 @@ class Feelings:
         annoyed: Sum of its negative ones, as positive numbers, (n, n_robots).
         arrays: What `live_through` is to be given first.
     """
+
+    STATE = ("mood", "pleased", "annoyed")
 
     def __init__(
         self,

@@ -80,7 +80,12 @@ class Intention:
 
 
 class Mind(Protocol):
-    """Decides for one person."""
+    """Decides for one person.
+
+    A checkpoint takes minds along as they pickle, and puts others in their place that
+    were unpickled. What a mind should not take along, such as a large network, it
+    leaves out in ``__getstate__`` and finds again in ``__setstate__``.
+    """
 
     def reset(self, rng: np.random.Generator) -> Intention:
         """Begins a new episode.

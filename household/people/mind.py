@@ -105,7 +105,10 @@ class Intentions(NamedTuple):
 
 
 class Minds(Protocol):
-    """Decides for everybody in a household."""
+    """Decides for everybody in a household.
+
+    For checkpoints, minds are `household.state.Stateful`, or else they pickle.
+    """
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode.

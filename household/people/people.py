@@ -26,6 +26,7 @@ from household.perception.kernel import between
 from household.perception.senses import Senses
 from household.robots.robots import Robots
 from household.scenario.scenario import Scenario
+from household.state import Stateful
 
 MakeMinds = Callable[[Scenario], Minds]
 
@@ -33,7 +34,7 @@ REACH = 0.8
 """From the middle of a person to the middle of a robot that it touches [m]."""
 
 
-class People:
+class People(Stateful):
     """Everybody in the household, in the order of the scenario.
 
     Args:
@@ -55,6 +56,23 @@ class People:
     """
 
     intentions: Intentions
+
+    STATE = (
+        "places",
+        "feelings",
+        "appraisals",
+        "intentions",
+        "place",
+        "activity",
+        "focus",
+        "touched",
+        "target",
+        "_minds",
+        "_claimed",
+        "_spots",
+        "_arrived",
+        "_wishes",
+    )
 
     def __init__(
         self, scenario: Scenario, make_minds: MakeMinds, zeros: Zeros = np.zeros

@@ -9,6 +9,7 @@ from household.compiled.jit import FLOAT, FLOATS, FLOATS_2D, bind
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
 from household.scenario.scenario import PerceptionModel
+from household.state import Stateful
 
 BATCH = 16
 """So many segments the processor looks at in one go; the rest it takes one by one."""
@@ -34,7 +35,7 @@ class Beings(NamedTuple):
     source: Floats
 
 
-class Senses:
+class Senses(Stateful):
     """What everybody perceives; people come first and robots after them.
 
     Args:
@@ -61,6 +62,18 @@ class Senses:
         level: How loud i hears j, shape (n, n) [dB], at least 0.
     """
 
+    STATE = (
+        "_position",
+        "_parted",
+        "sees",
+        "facing",
+        "attention",
+        "attends",
+        "attention_began",
+        "loss",
+        "level",
+    )
+
     def __init__(
         self,
         plan: FloorPlan,
@@ -71,6 +84,8 @@ class Senses:
     ) -> None:
         self.walls = _columns(plan.parting_walls)
         self._position = np.zeros((n, 2))
+        # How many walls and how much furniture part two, while none of them moves.
+        self._parted = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
         self.attention: Floats = zeros((n, n))
@@ -89,7 +104,7 @@ class Senses:
             model.attend_above,
             model.attend_below,
             self._position,
-            np.zeros((n, n), dtype=np.int64),
+            self._parted,
             self.loss,
             self.sees,
             self.facing,

@@ -9,6 +9,7 @@ from household.compiled.jit import FLOAT, FLOATS, bind, compiled
 from household.feedback import Cause, Feedback
 from household.robots.bout import Bout
 from household.scenario.scenario import Scenario
+from household.state import Stateful
 
 MOMENT = 1e-9
 """By how much times may miss each other through rounding [s]."""
@@ -17,7 +18,7 @@ IDLE = Bout(behavior=-1, decision=-1, began=-math.inf, ends=-math.inf)
 """Before the first choice."""
 
 
-class Robots:
+class Robots(Stateful):
     """All robots, in the order of their names.
 
     Args:
@@ -35,6 +36,19 @@ class Robots:
         feedback: The touches that each felt in it.
         causes: What each of those touches was really about; for evaluation only.
     """
+
+    STATE = (
+        "bouts",
+        "behaviors",
+        "begun",
+        "_began",
+        "_ends",
+        "left",
+        "touched",
+        "felt",
+        "feedback",
+        "causes",
+    )
 
     def __init__(self, scenario: Scenario, zeros: Zeros = np.zeros) -> None:
         self.names = scenario.robot_names

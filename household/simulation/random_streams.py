@@ -1,11 +1,12 @@
 """Random streams: one seed, one history; nobody's draws depend on who else is there."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 
 from household.compiled.arrays import Floats
+from household.state import Stateful
 
 PEOPLE, ROBOTS, FACES = 0, 1, 2
 
@@ -15,7 +16,7 @@ AHEAD = 64
 Distribution = Literal["uniform", "normal"]
 
 
-class Streams:
+class Streams(Stateful):
     """Independent generators for each person and robot, anew in each episode.
 
     Attributes:
@@ -23,6 +24,8 @@ class Streams:
         robots: One for each robot, for what it does.
         faces: One for each robot, for how it misreads faces.
     """
+
+    STATE = ("_entropy", "_episode", "robots")
 
     def __init__(self, n_people: int, n_robots: int) -> None:
         self._counts = (n_people, n_robots)
@@ -54,11 +57,7 @@ class Streams:
         ]
 
 
-def draws(
-    rngs: Sequence[np.random.Generator],
-    size: int,
-    distribution: Distribution = "uniform",
-) -> Iterator[Floats]:
+class Draws(Stateful):
     """The random numbers of several streams, as many from each at every moment.
 
     They are drawn whether anybody needs them or not, so that what happens in one
@@ -68,14 +67,34 @@ def draws(
         rngs: The streams.
         size: Numbers from each stream at each moment.
         distribution: "uniform" in [0, 1) or standard "normal".
-
-    Yields:
-        The numbers of the next moment, shape (n_streams, size); for reading, and only
-        until the next are asked for.
     """
-    numbers = np.empty((len(rngs), AHEAD, size))
-    while True:
-        for rng, ahead in zip(rngs, numbers, strict=True):
-            draw = rng.random if distribution == "uniform" else rng.standard_normal
+
+    STATE = ("_rngs", "_numbers", "_used")
+
+    def __init__(
+        self,
+        rngs: Sequence[np.random.Generator],
+        size: int,
+        distribution: Distribution = "uniform",
+    ) -> None:
+        self._rngs, self._distribution = list(rngs), distribution
+        self._numbers = np.zeros((len(rngs), AHEAD, size))
+        self._used = AHEAD
+
+    def next(self) -> Floats:
+        """The numbers of the next moment, shape (n_streams, size); for reading.
+
+        They hold only until the next are asked for.
+        """
+        if self._used == AHEAD:
+            self._draw_ahead()
+        self._used += 1
+        return self._numbers[:, self._used - 1]
+
+    def _draw_ahead(self) -> None:
+        """Draws for many moments at once."""
+        for rng, ahead in zip(self._rngs, self._numbers, strict=True):
+            uniform = self._distribution == "uniform"
+            draw = rng.random if uniform else rng.standard_normal
             draw(out=ahead)
-        yield from numbers.swapaxes(0, 1)
+        self._used = 0

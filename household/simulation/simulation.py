@@ -22,7 +22,8 @@ from household.perception.senses import Beings, Senses
 from household.robots.motions import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario.scenario import MOST_PEOPLE, Scenario
-from household.simulation.random_streams import Streams, draws
+from household.simulation.random_streams import Draws, Streams
+from household.state import Stateful
 
 PERSON_RADIUS, ROBOT_RADIUS = 0.25, 0.15
 """Of the bodies [m]; the robot's is that of a small dog, as the AIBO is."""
@@ -43,7 +44,7 @@ ROOM, ROOM_FOR_PAIRS = 96, 10
 """For what is recorded of everybody and of every pair [bytes]."""
 
 
-class Simulation:
+class Simulation(Stateful):
     """The people and the robots of a household, their bodies and their senses.
 
     Args:
@@ -63,7 +64,23 @@ class Simulation:
         revision: Another number whenever roles or attention are others than before.
         decision: Decisions since the beginning.
         time: Since the beginning [s].
+        begun: Whether an episode was ever begun.
     """
+
+    STATE = (
+        "decision",
+        "time",
+        "people",
+        "robots",
+        "crowd",
+        "senses",
+        "half_view",
+        "moods",
+        "_salience",
+        "_source",
+        "_streams",
+        "_noise",
+    )
 
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
         self.scenario = scenario
@@ -74,6 +91,7 @@ class Simulation:
         self.people = People(scenario, make_minds, zeros)
         self.robots = Robots(scenario, zeros)
         self.revision, self.decision, self.time = 0, 0, 0.0
+        self.begun = False
         personas = [person.persona for person in self.people.everyone]
         n_people, n_robots = len(personas), len(self.robots.names)
         self._n_people = n_people
@@ -123,11 +141,11 @@ class Simulation:
         Args:
             seed: Begins a history of its own; None goes on with the present one.
         """
-        self.decision, self.time = 0, 0.0
+        self.decision, self.time, self.begun = 0, 0.0, True
         self.revision += 1
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
-        self._noise = draws(self._streams.faces, MOST_PEOPLE, "normal")
+        self._noise = Draws(self._streams.faces, MOST_PEOPLE, "normal")
         self._movers = [
             Mover(
                 body=self._n_people + robot,
@@ -222,7 +240,7 @@ class Simulation:
         self.robots.show(since, self.time, self._salience, self._source)
         changed |= self.senses.perceive(self._beings, self.time)
         self.revision += changed
-        self._misread(next(self._noise))
+        self._misread(self._noise.next())
 
     def _view(self) -> View:
         """What robots may know; made once, as all arrays stay the same."""

@@ -7,6 +7,7 @@ import numpy as np
 
 from household.compiled.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled.jit import FLOAT, INDICES, MASK, bind, compiled
+from household.state import Stateful
 
 
 class Doing(Protocol):
@@ -37,7 +38,7 @@ class Doing(Protocol):
         """Goes on to what comes next."""
 
 
-class Doings:
+class Doings(Stateful):
     """What everybody does.
 
     Args:
@@ -47,6 +48,8 @@ class Doings:
         place: Index of the activity region that each is to be in, shape (n,).
         look: Index of the entity that each is to look at, or `OWN_ACTIVITY`, (n,).
     """
+
+    STATE = ("_doings", "place", "look", "_left", "_until", "_look_left")
 
     def __init__(self, doings: Sequence[Doing]) -> None:
         self._doings = doings

@@ -20,7 +20,8 @@ from household.people.appraisal import heard_strength
 from household.people.mind import OWN_ACTIVITY, Percepts
 from household.people.traits import Traits, traits_of
 from household.scenario.persona import Persona
-from household.simulation.random_streams import draws
+from household.simulation.random_streams import Draws
+from household.state import Stateful
 
 DRAWS = 4
 """In each moment: whether the gaze moves on, startles, where to, and for how long."""
@@ -32,7 +33,7 @@ MOVING = 0.5
 noise close by (our choice)."""
 
 
-class Gaze:
+class Gaze(Stateful):
     """People look at their own activity, at robots and at people, each for a while.
 
     Args:
@@ -44,20 +45,24 @@ class Gaze:
         eyes_open: False in sleep, shape (n,).
     """
 
+    STATE = ("_draws", "look", "eyes_open", "_habit", "_left", "_awake")
+
     def __init__(
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
         n = len(personas)
-        self._draws = draws(rngs, DRAWS)
+        self._draws = Draws(rngs, DRAWS)
         self.look = np.full(n, OWN_ACTIVITY, np.intp)
         self.eyes_open = np.ones(n, np.bool_)
+        self._habit = np.full(n, OWN_ACTIVITY, np.intp)
+        self._left, self._awake = np.zeros(n), np.zeros(n)
         self._turn = bind(
             _turn,
             self.look,
             self.eyes_open,
-            np.full(n, OWN_ACTIVITY, np.intp),
-            np.zeros(n),
-            np.zeros(n),
+            self._habit,
+            self._left,
+            self._awake,
             traits_of(personas),
             then=(
                 *(FLOATS_2D, FLOATS_2D, MASK_2D, MASK, MASK, INDICES),
@@ -74,7 +79,7 @@ class Gaze:
             wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
         """
         self._turn(
-            next(self._draws),
+            self._draws.next(),
             percepts.level,
             percepts.sees,
             percepts.moving,

@@ -20,7 +20,8 @@ from household.compiled.jit import (
 from household.people.mind import Percepts, Wish
 from household.people.traits import Traits, traits_of
 from household.scenario.persona import Persona
-from household.simulation.random_streams import draws
+from household.simulation.random_streams import Draws
+from household.state import Stateful
 
 DRAWS = 2
 """For each robot in each moment: whether to react, and whether it goes wrong."""
@@ -38,7 +39,7 @@ STATE = np.dtype(
 about; whether it is to be a caress; for how long already [s]; whether that is new."""
 
 
-class FeedbackGiving:
+class FeedbackGiving(Stateful):
     """People's readiness to praise and to sanction.
 
     Faults are sanctioned more readily than politeness is praised; who came to expect
@@ -55,6 +56,8 @@ class FeedbackGiving:
         wanted: Index of the robot that each is out to touch, or `NOBODY`, shape (n,).
     """
 
+    STATE = ("_draws", "_state", "_freshness", "wishes")
+
     def __init__(
         self,
         personas: Sequence[Persona],
@@ -62,17 +65,17 @@ class FeedbackGiving:
         rngs: Sequence[np.random.Generator],
     ) -> None:
         n = len(personas)
-        self._draws = draws(rngs, DRAWS * n_robots)
+        self._draws = Draws(rngs, DRAWS * n_robots)
         self._state = np.zeros(n, STATE)
         self._state["robot"] = NOBODY
         self.wishes: list[Wish | None] = [None] * n
         self.wanted: Indices = self._state["robot"]
         self._changed: Mask = self._state["changed"]
-        fresh = np.ones((n, n_robots))
+        self._freshness = np.ones((n, n_robots))
         self._consider = bind(
             _consider,
             self._state,
-            fresh,
+            self._freshness,
             traits_of(personas),
             then=(
                 *(MASK, MASK_2D, MASK_2D, FLOATS_2D, INDICES_2D, MASK_2D),
@@ -88,7 +91,7 @@ class FeedbackGiving:
             *percepts.judgements,
             percepts.mood,
             percepts.period,
-            next(self._draws),
+            self._draws.next(),
         )
         if anything:
             self.wishes = self.wishes.copy()

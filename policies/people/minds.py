@@ -11,13 +11,14 @@ from household.people.mind import (
 )
 from household.scenario.persona import Persona
 from household.scenario.scenario import Scenario
+from household.state import Stateful
 from policies.people.doings import Doing, Doings
 from policies.people.from_scenario import doing_of
 from policies.people.gaze import Gaze
 from policies.people.giving import FeedbackGiving
 
 
-class EverydayMinds(Minds):
+class EverydayMinds(Minds, Stateful):
     """People with something to do, who look around and give feedback.
 
     Args:
@@ -25,6 +26,8 @@ class EverydayMinds(Minds):
         make_doings: Begins what each does, with a random stream for it.
         n_robots: How many robots there are.
     """
+
+    STATE = ("_doings", "_gaze", "_giving")
 
     def __init__(
         self,
@@ -45,8 +48,7 @@ class EverydayMinds(Minds):
         self._gaze = Gaze(self._personas, looking)
         self._gaze.look[:] = self._doings.look
         self._giving = FeedbackGiving(self._personas, self._n_robots, giving)
-        self._intentions = self._intended()
-        return self._intentions
+        return self._intended()
 
     def decide(self, percepts: Percepts) -> Intentions:
         """Goes on with what they do, unless there is a robot to caress or to tap."""
@@ -54,9 +56,7 @@ class EverydayMinds(Minds):
         wanted = self._giving.wanted
         self._doings.play(percepts.time, percepts.period, percepts.arrived, wanted)
         self._gaze.turn(percepts, self._doings.look, wanted)
-        if self._giving.wishes is not self._intentions.wishes:
-            self._intentions = self._intended()
-        return self._intentions
+        return self._intended()
 
     def _intended(self) -> Intentions:
         """The same arrays as before, with the wishes of now."""

@@ -8,6 +8,7 @@ from math import inf
 import numpy as np
 
 from household.people.mind import OWN_ACTIVITY
+from household.state import Stateful
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +26,7 @@ class Stop:
     then: Sequence[float]
 
 
-class Schedule:
+class Schedule(Stateful):
     """Where a person is in its schedule; `Doings` let the time pass.
 
     Args:
@@ -42,6 +43,8 @@ class Schedule:
     until = inf
     look = OWN_ACTIVITY
     look_lasts = inf
+
+    STATE = ("_rng", "_stop", "lasts")
 
     def __init__(self, stops: Sequence[Stop], rng: np.random.Generator) -> None:
         self._stops = stops

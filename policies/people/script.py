@@ -7,6 +7,7 @@ from math import inf
 import numpy as np
 
 from household.people.mind import OWN_ACTIVITY
+from household.state import Stateful
 
 Range = tuple[float, float]
 
@@ -32,7 +33,7 @@ class Line:
     look_away: Range = (0.0, 0.0)
 
 
-class Script:
+class Script(Stateful):
     """Where a person is in its script; `Doings` let the time pass.
 
     Args:
@@ -44,6 +45,8 @@ class Script:
         until: When the line ends at the latest [s].
         look_lasts: Time there until the look is to be turned, to or away [s].
     """
+
+    STATE = ("_rng", "_index", "_looks", "lasts", "until", "look_lasts")
 
     def __init__(self, lines: Sequence[Line], rng: np.random.Generator) -> None:
         self._lines = lines

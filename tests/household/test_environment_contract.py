@@ -267,12 +267,13 @@ def test_writing_into_what_was_returned_changes_nothing(make, same):
         other.state()[...] = 0
 
 
-def test_a_pickled_environment_is_made_anew_with_the_same_arguments(make, same):
+def test_a_pickled_environment_is_made_anew_and_goes_on_from_its_moment(make, same):
     env = make()
     env.reset(seed=1)
     copy = pickle.loads(pickle.dumps(env))
-    assert copy.agents == []
+    assert copy.agents == env.agents
     assert copy.max_cycles == CYCLES
+    assert same(copy.step({}), env.step({}))
     assert copy.scenario == env.scenario
     assert copy.observation_spaces == env.observation_spaces
     assert same(copy.reset(seed=4), env.reset(seed=4))
