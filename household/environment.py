@@ -247,22 +247,19 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
-        observations, rewards, infos = self._observations(), {}, {}
-        feedback, situations = self.simulation.robots.feedback, self._seen()
+        robots, infos = self.simulation.robots, {}
         for agent, touches, situation in zip(
-            self.agents, feedback, situations, strict=True
+            self.agents, robots.feedback, self._seen(), strict=True
         ):
-            reward, caresses = 0.0, 0
-            for touch in touches:
-                reward += touch.value
-                caresses += touch.kind == "caress"
-            rewards[agent] = reward
+            caresses = [touch.kind for touch in touches].count("caress")
             infos[agent] = {
                 "situation": situation,
                 "feedback": touches,
                 "caresses": caresses,
                 "taps": len(touches) - caresses,
             }
+        observations = self._observations()
+        rewards = dict(zip(self.agents, robots.rewards.tolist(), strict=True))
         terminations = dict.fromkeys(self.agents, False)
         truncations = dict.fromkeys(self.agents, over)
         if over:

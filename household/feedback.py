@@ -1,5 +1,6 @@
 """Feedback: touches, and what they are about."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -52,5 +53,18 @@ class Feedback:
 
     @property
     def value(self) -> float:
-        """The reward: positive for a caress, negative for a tap, in [-1, 1]."""
+        """Positive for a caress, negative for a tap, in [-1, 1]."""
         return self.strength if self.kind == "caress" else -self.strength
+
+
+def reward(touches: Iterable[Feedback]) -> float:
+    """A robot's reward for a step: the sum of the touches that it felt.
+
+    Args:
+        touches: In the order in which it felt them.
+    """
+    # Not `sum`, whose last digit depends on the version of Python.
+    total = 0.0
+    for touch in touches:
+        total += touch.value
+    return total

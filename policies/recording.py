@@ -45,8 +45,9 @@ class RecordingObserver(Observer):
 
         self.close()
         self._entries = dict.fromkeys(robots)
+        household = cast("Household", getattr(env, "unwrapped", env))
         self._recorder = Recorder(
-            cast("Household", getattr(env, "unwrapped", env)),
+            household.simulation,
             self._next_path(),
             learns=True,
             watch=self._watch,
@@ -101,10 +102,10 @@ class RecordingObserver(Observer):
 
 def _belief(robot: str, credit: Credit) -> Belief:
     """What a learner believes, in the words of the replay."""
-    from household.replay.events import Belief, Share
+    from household.replay.events import Belief, BeliefShare
 
     shares = {
-        share: Share(time=share.time, behavior=share.action, weight=share.weight)
+        share: BeliefShare(time=share.time, behavior=share.action, weight=share.weight)
         for share in credit.shares
     }
     meant = credit.designated

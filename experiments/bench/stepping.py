@@ -76,7 +76,7 @@ def recording(settings: Settings) -> Iterator[Measure]:
     file is written, and the processor's time contains that; with 1000 steps in a
     repetition these are as many as recorders have it.
     """
-    from household.replay.rows import FLUSH_EVERY
+    from household.replay.buffer import FLUSH_EVERY
     from household.replay.wrapper import RecordEpisodes
 
     calls = settings.steps * FLUSH_EVERY // 1000

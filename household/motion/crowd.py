@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros, new_zeros
 from household.compiled.jit import (
     FLOAT,
     FLOATS_2D,
@@ -111,7 +111,7 @@ class Crowd(Stateful):
         build: BodyParams,
         steering_period: float,
         physics_period: float,
-        zeros: Zeros = np.zeros,
+        zeros: Zeros = new_zeros,
     ) -> None:
         radius, mass, speed = build
         n = len(radius)
@@ -128,9 +128,9 @@ class Crowd(Stateful):
         self._nobody = np.full(n, NOBODY)
         self._pressed = False
         self._where: list[Point] | None = None
-        self.position: Floats = zeros((n, 2))
-        self.heading: Floats = zeros((n,))
-        self.gaze: Floats = zeros((n,))
+        self.position: Floats = zeros("position", (n, 2))
+        self.heading: Floats = zeros("heading", (n,))
+        self.gaze: Floats = zeros("gaze", (n,))
         self.walking = np.zeros(n, np.bool_)
         self.walk_began = np.full(n, np.nan)
         # What the loops work on is always the same.

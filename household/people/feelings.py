@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Indices, Mask, Zeros
+from household.compiled.arrays import Floats, Indices, Mask, Zeros, new_zeros
 from household.compiled.jit import compiled
 from household.people.traits import Traits
 from household.scenario.persona import Persona
@@ -35,9 +35,9 @@ class Feelings(Stateful):
         personas: Sequence[Persona],
         n_robots: int,
         period: float,
-        zeros: Zeros = np.zeros,
+        zeros: Zeros = new_zeros,
     ) -> None:
-        self.mood: Floats = zeros((len(personas),))
+        self.mood: Floats = zeros("mood", (len(personas),))
         self.pleased = np.zeros((len(personas), n_robots))
         self.annoyed = np.zeros((len(personas), n_robots))
         fading = [math.exp(-period / persona.mood_recovery) for persona in personas]

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from household.activity import Activity
-from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros, new_zeros
 from household.compiled.jit import FLOATS_2D, INDICES, MASK, bind, compiled
 from household.home.places import NOWHERE, Places, place_of
 from household.motion.crowd import Crowd
@@ -75,7 +75,7 @@ class People(Stateful):
     )
 
     def __init__(
-        self, scenario: Scenario, make_minds: MakeMinds, zeros: Zeros = np.zeros
+        self, scenario: Scenario, make_minds: MakeMinds, zeros: Zeros = new_zeros
     ) -> None:
         self.everyone = everyone_of(scenario)
         personas = [person.persona for person in self.everyone]
@@ -93,7 +93,7 @@ class People(Stateful):
         self._near = np.zeros(n, np.bool_)
         self._find_at_hand = bind(_at_hand, then=(FLOATS_2D, INDICES, FLOATS_2D, MASK))
         self.place = np.full(n, NOWHERE, np.intp)
-        self.activity: Indices = zeros((n,), np.intp)
+        self.activity: Indices = zeros("activity", (n,), np.intp)
         self.activity[:] = Activity.UNKNOWN
         self.touched = np.zeros(n, np.bool_)
         self.target = np.full(n, NOBODY, np.intp)

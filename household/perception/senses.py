@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Mask, Zeros
+from household.compiled.arrays import Floats, Mask, Zeros, new_zeros
 from household.compiled.jit import FLOAT, FLOATS, FLOATS_2D, bind
 from household.home.floorplan import FloorPlan
 from household.perception import kernel
@@ -80,7 +80,7 @@ class Senses(Stateful):
         model: PerceptionModel,
         n: int,
         silent: int = 0,
-        zeros: Zeros = np.zeros,
+        zeros: Zeros = new_zeros,
     ) -> None:
         self.walls = _columns(plan.parting_walls)
         self._position = np.zeros((n, 2))
@@ -88,8 +88,8 @@ class Senses(Stateful):
         self._parted = np.zeros((n, n), dtype=np.int64)
         self.sees = np.zeros((n, n), dtype=np.bool_)
         self.facing = np.ones((n, n))
-        self.attention: Floats = zeros((n, n))
-        self.attends: Mask = zeros((n, n), np.bool_)
+        self.attention: Floats = zeros("attention", (n, n))
+        self.attends: Mask = zeros("attends", (n, n), np.bool_)
         self.attention_began = np.full((n, n), np.nan)
         self.loss = np.full((n, n), np.inf)
         self.level = np.zeros((n, n))

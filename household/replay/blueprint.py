@@ -1,4 +1,4 @@
-"""The layout that a recording brings along: what the viewer shows where."""
+"""The blueprint that a recording brings along: what the viewer shows where."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -13,12 +13,12 @@ PAPER = (250, 250, 248)
 """Ground of drawings, also where the viewer is dark."""
 
 
-def layout(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
-    """Plan in the middle, attention and values beside it, courses of time below.
+def blueprint(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
+    """The plan in the middle, attention and values beside it, time series below.
 
     Args:
         scenario: The household.
-        learns: Whether there is a learner whose beliefs can be shown.
+        learns: Whether there are learners whose beliefs can be shown.
         live: Whether the viewer shows the newest moment as it comes in.
     """
     import rerun.blueprint as rrb

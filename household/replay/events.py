@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 
 from household.compiled.arrays import Floats
+from household.replay.buffer import Buffer
 from household.replay.columns import colors, exact, strips, vectors, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
-from household.replay.rows import Buffer
 from household.replay.scenery import LANE, second
-from household.replay.stream import Moments, Stream, moments_of
+from household.replay.stream import Stream, Times, times_of
+from household.replay.touches import touch_columns
 from household.scenario.scenario import Scenario
 from household.simulation.snapshot import Touch
 from household.view.colors import packed
@@ -23,7 +24,7 @@ VERBS = {"caress": "caresses", "tap": "taps"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Share:
+class BeliefShare:
     """What a past entry gets of a touch.
 
     Attributes:
@@ -54,8 +55,8 @@ class Belief:
     giver: str
     value: float
     time: float
-    shares: tuple[Share, ...]
-    designated: Share | None
+    shares: tuple[BeliefShare, ...]
+    designated: BeliefShare | None
 
 
 class Events:
@@ -117,21 +118,21 @@ class Events:
         """Where a robot was; where it is now, if that is forgotten."""
         return self._buffer.spot(self._robots[robot], decision)
 
-    def _moments(self, decisions: Iterable[int]) -> Moments:
-        return moments_of(decisions, self._scenario.decision_period)
+    def _times(self, decisions: Iterable[int]) -> Times:
+        return times_of(decisions, self._scenario.decision_period)
 
     def _send_marks(self, stream: Stream) -> None:
         import rerun as rr
 
         for name, marks in self._marks.items():
             decisions, things, sizes = marks.groups(self._first, self._buffer.decision)
-            moments = self._moments(decisions)
+            times = self._times(decisions)
             if name == "touches":
-                send_touch_marks(stream, moments, things, sizes)
+                send_touch_marks(stream, times, things, sizes)
                 continue
             lines = np.array(things, np.float32).reshape(-1, 2, 2)
             drawn = strips(rr.LineStrips2D.descriptor_strips(), lines, sizes)
-            stream.send(f"world/{name}", moments, [drawn])
+            stream.send(f"world/{name}", times, [drawn])
 
     def _send_touches(self, stream: Stream) -> None:
         import rerun as rr
@@ -139,8 +140,8 @@ class Events:
         touches = [touch for _, touch in self._touches]
         felt = [touch.feedback for touch in touches]
         causes = [touch.cause for touch in touches]
-        moments = self._moments(decision for decision, _ in self._touches)
-        stream.send("touches", moments, touch_columns(touches))
+        times = self._times(decision for decision, _ in self._touches)
+        stream.send("touches", times, touch_columns(touches))
         at = self._on_lanes(
             [(f.time, t.robot) for f, t in zip(felt, touches, strict=True)]
         )
@@ -149,25 +150,25 @@ class Events:
             vectors(rr.Points2D.descriptor_positions(), at[:, None]),
             colors(rr.Points2D.descriptor_colors(), look[:, None]),
         )
-        stream.send("credit/past/touches", moments, points)
+        stream.send("credit/past/touches", times, points)
         meant = self._on_lanes([(cause.time, cause.robot) for cause in causes])
         bows = arcs(at, meant, 1.0)[:, None]
         true = strips(rr.LineStrips2D.descriptor_strips(), bows)
-        stream.send("credit/past/true", moments, [true])
+        stream.send("credit/past/true", times, [true])
         text = [self._told(touch) for touch in touches]
         level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
-        stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
+        stream.send("events", times, rr.TextLog.columns(text=text, level=level))
 
     def _send_beliefs(self, stream: Stream) -> None:
         import rerun as rr
 
-        moments = self._moments(decision for decision, _ in self._beliefs)
+        times = self._times(decision for decision, _ in self._beliefs)
         shares = [
             (decision, belief, share)
             for decision, belief in self._beliefs
             for share in belief.shares
         ]
-        at = self._moments(decision for decision, _, _ in shares)
+        at = self._times(decision for decision, _, _ in shares)
         pairs = [(belief, share) for _, belief, share in shares]
         stream.send("credits", at, self._share_columns(pairs))
         touched = self._on_lanes([(b.time, b.robot) for b, _ in pairs])
@@ -178,7 +179,7 @@ class Events:
         stream.send("credit/past/believed", at, lines)
         text = [self._told_belief(belief) for _, belief in self._beliefs]
         level = ["DEBUG"] * len(text)
-        stream.send("events", moments, rr.TextLog.columns(text=text, level=level))
+        stream.send("events", times, rr.TextLog.columns(text=text, level=level))
 
     def _on_lanes(self, events: Sequence[tuple[float, str]]) -> Floats:
         """Where times [s] and robots are in the picture of credit, shape (n, 2)."""
@@ -187,7 +188,7 @@ class Events:
         ]
         return np.array(points, dtype=np.float64).reshape(-1, 2)
 
-    def _share_columns(self, pairs: Sequence[tuple[Belief, Share]]) -> list[Any]:
+    def _share_columns(self, pairs: Sequence[tuple[Belief, BeliefShare]]) -> list[Any]:
         chosen = [belief.designated == share for belief, share in pairs]
         robot = [self._robots[belief.robot] for belief, _ in pairs]
         return [
@@ -219,22 +220,3 @@ class Events:
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
-
-
-def touch_columns(touches: Sequence[Touch]) -> list[Any]:
-    """Touches as exact columns, one row each; NaN where a moment is not known."""
-    felt = [touch.feedback for touch in touches]
-    causes = [touch.cause for touch in touches]
-    began = [(f.approach_began, f.attention_began) for f in felt]
-    numbers = [(f.strength, f.time, f.mood) for f in felt]
-    return [
-        words("robot", [touch.robot for touch in touches]),
-        words("giver", [f.giver for f in felt]),
-        words("kind", [f.kind for f in felt]),
-        exact("numbers", np.array(numbers)),
-        exact("attending", np.array([f.attending for f in felt])),
-        exact("began", np.array(began, dtype=np.float64)),
-        words("cause_robot", [c.robot for c in causes]),
-        exact("cause", np.array([(c.decision, c.behavior) for c in causes])),
-        exact("cause_time", np.array([c.time for c in causes])),
-    ]

@@ -10,7 +10,7 @@ from household.compiled.arrays import Floats, Integers, Singles
 from household.feedback import Feedback
 from household.replay.columns import colors, texts, vectors
 from household.replay.scenery import LANE
-from household.replay.stream import Moments, Stream
+from household.replay.stream import Stream, Times
 from household.view.colors import CARESS, TAP, packed
 
 Point = tuple[float, float]
@@ -68,7 +68,7 @@ class Marks:
 
 def send_touch_marks(
     stream: Stream,
-    moments: Moments,
+    times: Times,
     marks: Sequence[tuple[Point, Feedback]],
     sizes: Integers,
 ) -> None:
@@ -76,7 +76,7 @@ def send_touch_marks(
 
     Args:
         stream: Where to.
-        moments: When what is there changes.
+        times: When what is there changes.
         marks: What is there at one moment after the other.
         sizes: How many those are at each moment.
     """
@@ -89,14 +89,14 @@ def send_touch_marks(
         vectors(kind.descriptor_positions(), spots, sizes),
         colors(kind.descriptor_colors(), look, sizes),
     )
-    stream.send("world/touches", moments, dots)
+    stream.send("world/touches", times, dots)
     told = [f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks]
     above = spots + np.array([0.0, 0.5])
     words = (
         vectors(kind.descriptor_positions(), above, sizes),
         texts(kind.descriptor_labels(), told, np.arange(len(told)), sizes),
     )
-    stream.send("world/touches/texts", moments, words)
+    stream.send("world/touches/texts", times, words)
 
 
 def arcs(start: Floats, end: Floats, side: float) -> Singles:

@@ -9,10 +9,10 @@ from household.activity import ACTIVITY_NAMES, Activity
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.replay.columns import colors, exact, pictures, strips, texts, vectors
-from household.replay.rows import NAMES, Rows
 from household.replay.scenery import LANE, lanes_of, second
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
+from household.simulation.moment import FIELDS, Moments
 from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.view.colors import ACTIVITIES, behavior_color, heat, packed
 from household.view.cone import gaze_cones
@@ -80,50 +80,52 @@ def _differ(one: Floats, other: Floats, least: float) -> bool:
     return differ
 
 
-def send_rows(stream: Stream, scenario: Scenario, rows: Rows, total: Floats) -> None:
+def send_moments(
+    stream: Stream, scenario: Scenario, moments: Moments, total: Floats
+) -> None:
     """Writes what happened.
 
     Args:
-        stream: Indices to.
+        stream: Where to.
         scenario: The household.
-        rows: The moments.
-        total: Sum of each robot's rewards before these rows, shape (n_robots,).
+        moments: What happened.
+        total: Sum of each robot's rewards before that, shape (n_robots,).
     """
-    _send_people(stream, scenario, rows)
-    _send_robots(stream, scenario, rows)
-    _send_series(stream, rows, total)
-    _send_attention(stream, rows)
-    _send_lanes(stream, scenario, rows)
-    _send_credit_lanes(stream, scenario, rows)
+    _send_people(stream, scenario, moments)
+    _send_robots(stream, scenario, moments)
+    _send_series(stream, moments, total)
+    _send_attention(stream, moments)
+    _send_lanes(stream, scenario, moments)
+    _send_credit_lanes(stream, scenario, moments)
     # The exact state comes last: where it is, everything is.
-    state = [exact(name, getattr(rows, name)) for name in NAMES[2:]]
-    stream.send("state", (rows.decision, rows.time), state)
+    state = [exact(name, getattr(moments, name)) for name in FIELDS]
+    stream.send("state", (moments.decision, moments.time), state)
 
 
-def _send_people(stream: Stream, scenario: Scenario, rows: Rows) -> None:
+def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     n = len(scenario.people)
-    _send_bodies(stream, "world/people", rows, slice(0, n), PERSON_RADIUS)
-    where = changes(rows.activity)
-    activity = rows.activity[where]
+    _send_bodies(stream, "world/people", moments, slice(0, n), PERSON_RADIUS)
+    where = changes(moments.activity)
+    activity = moments.activity[where]
     look = colors(rr.Points2D.descriptor_colors(), PEOPLE[activity])
-    _send_at(stream, "world/people", rows, where, look)
+    _send_at(stream, "world/people", moments, where, look)
     which = activity + len(Activity) * np.arange(n)
     names = texts(rr.Points2D.descriptor_labels(), _person_labels(scenario), which)
-    _send_at(stream, "world/people/names", rows, where, names)
+    _send_at(stream, "world/people/names", moments, where, names)
     tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[activity])
-    _send_at(stream, "world/people/gaze", rows, where, tint)
-    where = changes(rows.position[:, :n], rows.gaze[:, :n], rows.half_view)
+    _send_at(stream, "world/people/gaze", moments, where, tint)
+    where = changes(moments.position[:, :n], moments.gaze[:, :n], moments.half_view)
     cones = gaze_cones(
-        rows.position[where, :n],
-        rows.gaze[where, :n],
-        rows.half_view[where],
+        moments.position[where, :n],
+        moments.gaze[where, :n],
+        moments.half_view[where],
         scenario.plan.opaque_segments,
         scenario.perception.distance,
     )
     outline = strips(rr.LineStrips2D.descriptor_strips(), cones)
-    _send_at(stream, "world/people/gaze", rows, where, outline)
+    _send_at(stream, "world/people/gaze", moments, where, outline)
 
 
 def _person_labels(scenario: Scenario) -> list[str]:
@@ -132,21 +134,21 @@ def _person_labels(scenario: Scenario) -> list[str]:
     return [name + word for name in scenario.person_names for word in words]
 
 
-def _send_robots(stream: Stream, scenario: Scenario, rows: Rows) -> None:
+def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     robots = slice(len(scenario.people), None)
-    _send_bodies(stream, "world/robots", rows, robots, ROBOT_RADIUS)
-    where = changes(rows.behavior)
+    _send_bodies(stream, "world/robots", moments, robots, ROBOT_RADIUS)
+    where = changes(moments.behavior)
     # Before the first choice it is -1.
-    behavior = rows.behavior[where] + 1
+    behavior = moments.behavior[where] + 1
     look = colors(rr.Points2D.descriptor_colors(), _palette(scenario)[behavior])
-    _send_at(stream, "world/robots", rows, where, look)
+    _send_at(stream, "world/robots", moments, where, look)
     doing = ["-", *scenario.behaviors]
     labels = [f"{name}: {word}" for name in scenario.robot_names for word in doing]
     which = behavior + len(doing) * np.arange(len(scenario.robots))
     names = texts(rr.Points2D.descriptor_labels(), labels, which)
-    _send_at(stream, "world/robots/names", rows, where, names)
+    _send_at(stream, "world/robots/names", moments, where, names)
 
 
 def _palette(scenario: Scenario) -> NDArray[np.uint32]:
@@ -155,71 +157,75 @@ def _palette(scenario: Scenario) -> NDArray[np.uint32]:
 
 
 def _send_bodies(
-    stream: Stream, entity: str, rows: Rows, who: slice, radius: float
+    stream: Stream, entity: str, moments: Moments, who: slice, radius: float
 ) -> None:
     """Where bodies are and face; their names stand below them."""
     import rerun as rr
 
     points = rr.Points2D.descriptor_positions()
-    where = changes(rows.position[:, who], rows.heading[:, who])
-    position, angle = rows.position[where, who], rows.heading[where, who]
+    where = changes(moments.position[:, who], moments.heading[:, who])
+    position, angle = moments.position[where, who], moments.heading[where, who]
     arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], -1)
     bodies = (
         vectors(points, position),
         vectors(rr.Arrows2D.descriptor_vectors(), arrows),
         vectors(rr.Arrows2D.descriptor_origins(), position),
     )
-    _send_at(stream, entity, rows, where, *bodies)
-    where = changes(rows.position[:, who])
-    below = rows.position[where, who] - np.array([0.0, radius])
-    _send_at(stream, f"{entity}/names", rows, where, vectors(points, below))
+    _send_at(stream, entity, moments, where, *bodies)
+    where = changes(moments.position[:, who])
+    below = moments.position[where, who] - np.array([0.0, radius])
+    _send_at(stream, f"{entity}/names", moments, where, vectors(points, below))
 
 
 def _send_at(
-    stream: Stream, entity: str, rows: Rows, where: Indices, *columns: "ComponentColumn"
+    stream: Stream,
+    entity: str,
+    moments: Moments,
+    where: Indices,
+    *columns: "ComponentColumn",
 ) -> None:
-    """Writes columns that have values for some of the rows."""
-    stream.send(entity, (rows.decision[where], rows.time[where]), columns)
+    """Writes columns that have values for some of the moments."""
+    stream.send(entity, (moments.decision[where], moments.time[where]), columns)
 
 
-def _send_series(stream: Stream, rows: Rows, total: Floats) -> None:
+def _send_series(stream: Stream, moments: Moments, total: Floats) -> None:
     import rerun as rr
 
-    sums = total + np.cumsum(rows.reward, axis=0)
-    courses = (("reward/sum", sums, 0.0), ("mood", rows.mood, VISIBLE))
+    sums = total + np.cumsum(moments.reward, axis=0)
+    courses = (("reward/sum", sums, 0.0), ("mood", moments.mood, VISIBLE))
     for entity, values, least in courses:
         where = bends(values, least)
         course = rr.Scalars.columns(scalars=values[where])
-        _send_at(stream, entity, rows, where, *course)
+        _send_at(stream, entity, moments, where, *course)
     # Moments without a touch would draw a line of dots at 0.
-    where = np.flatnonzero((rows.reward != 0.0).any(axis=1))
-    reward = rows.reward[where]
+    where = np.flatnonzero((moments.reward != 0.0).any(axis=1))
+    reward = moments.reward[where]
     felt = rr.Scalars.columns(scalars=np.where(reward == 0.0, np.nan, reward))
-    _send_at(stream, "reward/now", rows, where, *felt)
+    _send_at(stream, "reward/now", moments, where, *felt)
 
 
-def _send_attention(stream: Stream, rows: Rows) -> None:
+def _send_attention(stream: Stream, moments: Moments) -> None:
     import rerun as rr
 
-    where = changes(rows.attention)
-    cells = pictures(rr.Image.descriptor_buffer(), heat(rows.attention[where]))
-    _send_at(stream, "attention", rows, where, cells)
+    where = changes(moments.attention)
+    cells = pictures(rr.Image.descriptor_buffer(), heat(moments.attention[where]))
+    _send_at(stream, "attention", moments, where, cells)
 
 
-def _send_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
+def _send_lanes(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     kind = rr.StateChange.descriptor_state()
     behaviors = ["", *scenario.behaviors]
-    courses = np.hstack([rows.activity, rows.behavior + 1])
+    courses = np.hstack([moments.activity, moments.behavior + 1])
     for lane, course in zip(lanes_of(scenario), courses.T, strict=True):
         names = behaviors if lane.startswith("behavior") else ACTIVITY_NAMES
         where = changes(course)
         states = texts(kind, names, course[where, None])
-        _send_at(stream, lane, rows, where, states)
+        _send_at(stream, lane, moments, where, states)
 
 
-def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
+def _send_credit_lanes(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     """A piece of lane for each moment, in the color of what the robot did.
 
     The viewer shows those of the last while together; all move left as time goes by.
@@ -227,17 +233,17 @@ def _send_credit_lanes(stream: Stream, scenario: Scenario, rows: Rows) -> None:
     import rerun as rr
 
     n, unit = len(scenario.robots), second(scenario)
-    end = rows.time * unit
-    pieces = np.empty((len(rows), n, 2, 2), dtype=np.float32)
+    end = moments.time * unit
+    pieces = np.empty((len(moments), n, 2, 2), dtype=np.float32)
     pieces[:, :, 0, 0] = (end - scenario.decision_period * unit)[:, None]
     pieces[:, :, 1, 0] = end[:, None]
     pieces[..., 1] = (np.arange(n) * LANE)[:, None]
-    look = _palette(scenario)[rows.behavior + 1]
-    shift = np.zeros((len(rows), 3), dtype=np.float32)
+    look = _palette(scenario)[moments.behavior + 1]
+    shift = np.zeros((len(moments), 3), dtype=np.float32)
     shift[:, 0] = -end
     lanes = (
         strips(rr.LineStrips2D.descriptor_strips(), pieces),
         colors(rr.LineStrips2D.descriptor_colors(), look),
         *rr.Transform3D.columns(translation=shift),
     )
-    stream.send("credit/past", (rows.decision, rows.time), lanes)
+    stream.send("credit/past", (moments.decision, moments.time), lanes)

@@ -5,25 +5,22 @@ import time
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.replay.blueprint import layout
+from household.replay.blueprint import blueprint
+from household.replay.buffer import FLUSH_EVERY, Buffer
 from household.replay.events import Belief, Events
-from household.replay.moments import send_rows
+from household.replay.moments import send_moments
 from household.replay.process import open_viewer
-from household.replay.rows import FLUSH_EVERY, Buffer
 from household.replay.scenery import set_scene
 from household.replay.situations import Situations
-from household.replay.stream import Moments, Stream, moments_of, saved_layout
+from household.replay.stream import Stream, Times, saved_blueprint, times_of
 from household.scenario.scenario import Scenario
+from household.simulation.simulation import Simulation
 from household.simulation.snapshot import touches
-
-if TYPE_CHECKING:
-    from household.environment import Household
 
 WATCH_EVERY = 0.5
 """Time between writes while somebody watches [s of the wall clock]."""
@@ -37,9 +34,9 @@ class Recorder:
     to the last write.
 
     Args:
-        home: The household, just reset.
+        simulation: Of the household, whose episode has just begun.
         path: File to write, ends in .rrd; None: none.
-        learns: Whether learners will tell what they believe.
+        learns: Whether learners will report what they believe.
         watch: Shows the episode while it goes on: in the viewer, which is opened if
             none is, or in the one at this address.
         flush_every: Decisions between writes.
@@ -47,16 +44,16 @@ class Recorder:
 
     def __init__(
         self,
-        home: "Household",
+        simulation: Simulation,
         path: Path | str | None = None,
         *,
         learns: bool = False,
         watch: bool | str = False,
         flush_every: int = FLUSH_EVERY,
     ) -> None:
-        scenario = home.scenario
-        self._home, self._scenario = home, scenario
-        self._buffer = Buffer(scenario, home.simulation, flush_every)
+        scenario = simulation.scenario
+        self._scenario, self._robots = scenario, simulation.robots
+        self._buffer = Buffer(simulation, flush_every)
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
         self._situations = Situations(scenario)
@@ -76,7 +73,7 @@ class Recorder:
         whole = msgspec.structs.replace(scenario, home=scenario.plan)
         text = msgspec.json.encode(whole)
         live = self._watch
-        self._stream.lay_out(_layout(text, learns, live, self._stream.kind))
+        self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
         self._stream.describe(scenario=text.decode())
         set_scene(self._stream, scenario, learns)
         # First of all, as nothing can be read of a torn file without it.
@@ -84,7 +81,7 @@ class Recorder:
 
     def record(self) -> None:
         """Records this moment; to be called after each step."""
-        buffer, robots = self._buffer, self._home.simulation.robots
+        buffer, robots = self._buffer, self._robots
         buffer.put()
         if robots.touched:
             self._events.feel(touches(robots))
@@ -116,14 +113,14 @@ class Recorder:
 
     def _write(self) -> None:
         """Hands over everything so far; Rerun writes it while the episode goes on."""
-        rows = self._buffer.take()
+        moments = self._buffer.take()
         self._events.send(self._stream)
         self._send_values()
         # Last, so that of a moment that a torn file holds, nothing is missing.
-        if len(rows):
-            self._situations.send(self._stream, rows)
-            send_rows(self._stream, self._scenario, rows, self._total)
-            self._total = self._total + rows.reward.sum(axis=0)
+        if len(moments):
+            self._situations.send(self._stream, moments)
+            send_moments(self._stream, self._scenario, moments, self._total)
+            self._total = self._total + moments.reward.sum(axis=0)
         self._written = time.monotonic()
 
     def close(self) -> None:
@@ -136,17 +133,17 @@ class Recorder:
     def _is_due(self) -> bool:
         return time.monotonic() - self._written >= WATCH_EVERY
 
-    def _moments(self, decisions: Sequence[int]) -> Moments:
-        return moments_of(decisions, self._scenario.decision_period)
+    def _times(self, decisions: Sequence[int]) -> Times:
+        return times_of(decisions, self._scenario.decision_period)
 
     def _send_values(self) -> None:
         import rerun as rr
 
         for robot, entries in self._values.items():
-            moments = self._moments([decision for decision, _ in entries])
+            times = self._times([decision for decision, _ in entries])
             values = np.array([values for _, values in entries])
             scalars = rr.Scalars.columns(scalars=values)
-            self._stream.send(f"q/{robot}", moments, scalars)
+            self._stream.send(f"q/{robot}", times, scalars)
         self._values.clear()
 
 
@@ -158,7 +155,7 @@ def _address(watch: bool | str) -> str | None:
 
 
 @lru_cache(maxsize=8)
-def _layout(scenario: bytes, learns: bool, live: bool, kind: str) -> bytes:
-    """The stored layout; made once for all episodes of a household."""
+def _blueprint(scenario: bytes, learns: bool, live: bool, kind: str) -> bytes:
+    """The stored blueprint; made once for all episodes of a household."""
     household = msgspec.json.decode(scenario, type=Scenario)
-    return saved_layout(layout(household, learns, live), kind)
+    return saved_blueprint(blueprint(household, learns, live), kind)

@@ -11,9 +11,9 @@ from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.replay.columns import texts
 from household.replay.moments import changes
-from household.replay.rows import Rows
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
+from household.simulation.moment import Moments
 
 KEPT = 4096
 """So many texts are remembered, as they recur."""
@@ -40,16 +40,16 @@ class Situations:
         self._sights = lru_cache(maxsize=KEPT)(self._make_sights)
         self._last = ""
 
-    def send(self, stream: Stream, rows: Rows) -> None:
+    def send(self, stream: Stream, moments: Moments) -> None:
         """Writes the situations, at the moments at which the words change."""
         import rerun as rr
 
-        looks = self._looks(rows.attends)
+        looks = self._looks(moments.attends)
         at, which = [], []
         among: dict[str, int] = {}
-        where = changes(rows.activity, looks)
+        where = changes(moments.activity, looks)
         keys = zip(
-            _bytes_of(rows.activity[where]), _bytes_of(looks[where]), strict=True
+            _bytes_of(moments.activity[where]), _bytes_of(looks[where]), strict=True
         )
         for row, (activity, look) in zip(where.tolist(), keys, strict=True):
             text = self._text(activity, look)
@@ -57,9 +57,9 @@ class Situations:
                 self._last = text
                 which.append(among.setdefault(text, len(among)))
                 at.append(row)
-        moments = rows.decision[at], rows.time[at]
+        times = moments.decision[at], moments.time[at]
         kind, told = rr.TextDocument.descriptor_text(), np.array(which, np.int64)
-        stream.send("situation", moments, [texts(kind, list(among), told[:, None])])
+        stream.send("situation", times, [texts(kind, list(among), told[:, None])])
 
     def _looks(self, attends: Mask) -> Mask:
         """What of the attention situations tell, shape (n_rows, n_views, n_looks).

@@ -15,16 +15,17 @@ from household.compiled.arrays import Floats, Integers
 
 if TYPE_CHECKING:
     import rerun as rr
+    import rerun.blueprint as rrb
 
-Moments = tuple[Integers, Floats]
-"""Decisions and times [s] of rows."""
+Times = tuple[Integers, Floats]
+"""When something happened: decisions, and the same in seconds."""
 
 
 class Stream:
     """One recording.
 
     Args:
-        kind: Recordings of the same kind share their layout in the viewer.
+        kind: Recordings of the same kind share their blueprint in the viewer.
         name: Shown as the recording's name.
         path: File to write; None: none.
         watch: Address of a viewer that shows it as it goes on; None: none.
@@ -60,14 +61,14 @@ class Stream:
         """Whether it can still be written to."""
         return self._recording is not None
 
-    def lay_out(self, layout: bytes) -> None:
-        """Puts a layout, as `saved_layout` makes it, into the recording.
+    def send_blueprint(self, blueprint: bytes) -> None:
+        """Writes a blueprint, as `saved_blueprint` makes it.
 
-        Through a file, as Rerun's own call leaves two threads behind at each episode.
+        It goes through a file, as Rerun's own call leaves two threads behind each time.
         """
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "layout.rbl"
-            path.write_bytes(layout)
+            path = Path(folder) / "blueprint.rbl"
+            path.write_bytes(blueprint)
             self.recording.log_file_from_path(path)
             self.recording.flush()
 
@@ -84,19 +85,19 @@ class Stream:
     def send(
         self,
         entity: str,
-        moments: Moments,
+        times: Times,
         columns: Iterable["rr.ComponentColumn"],
     ) -> None:
         """Writes columns.
 
         Args:
             entity: Path of the entity.
-            moments: Decisions and times [s] of the rows.
-            columns: One value, or one group of values, for each moment.
+            times: When.
+            columns: One value, or one group of values, for each of them.
         """
         import rerun as rr
 
-        decision, time = moments
+        decision, time = times
         if len(decision):
             nanoseconds = np.round(time * 1e9).astype("timedelta64[ns]")
             indexes = [
@@ -131,15 +132,20 @@ class Stream:
                 raise
 
 
-def saved_layout(blueprint: Any, kind: str) -> bytes:  # noqa: ANN401 - Rerun's
-    """A layout for recordings of one kind, as it is stored."""
+def saved_blueprint(blueprint: "rrb.Blueprint", kind: str) -> bytes:
+    """A blueprint for recordings of one kind, as it is stored."""
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "layout.rbl"
+        path = Path(folder) / "blueprint.rbl"
         blueprint.save(kind, str(path))
         return path.read_bytes()
 
 
-def moments_of(decisions: Iterable[int], period: float) -> Moments:
-    """The moments at which decisions end that take so long each [s]."""
+def times_of(decisions: Iterable[int], period: float) -> Times:
+    """The times of decisions.
+
+    Args:
+        decisions: Steps since the episode began.
+        period: Between two of them [s].
+    """
     at = np.array(list(decisions), dtype=np.int64)
     return at, np.asarray(at * period, dtype=np.float64)

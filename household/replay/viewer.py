@@ -106,7 +106,7 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
         HouseholdError: If there is no such moment, or the extra ``render`` is missing.
     """
     replay = read_replay(path)
-    last = int(replay.rows.decision[-1])
+    last = int(replay.moments.decision[-1])
     chosen = last if decision is None else decision
     if not 0 <= chosen <= last:
         raise HouseholdError(f"{path}: no decision {chosen}; allowed: 0 to {last}")

@@ -8,7 +8,7 @@ from pettingzoo.utils.wrappers import BaseParallelWrapper
 
 from household.environment import Household
 from household.errors import HouseholdError
-from household.replay.rows import FLUSH_EVERY
+from household.replay.buffer import FLUSH_EVERY
 
 if TYPE_CHECKING:
     from household.replay.recorder import Recorder
@@ -55,7 +55,7 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         self._finish()
         result = super().reset(seed=seed, options=options)
         self._recorder = Recorder(
-            self.unwrapped,
+            self.unwrapped.simulation,
             self._folder / f"episode_{self._episode:05d}.rrd",
             watch=self._watch,
             flush_every=self._flush_every,

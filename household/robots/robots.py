@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Indices, Zeros
+from household.compiled.arrays import Floats, Indices, Zeros, new_zeros
 from household.compiled.jit import FLOAT, FLOATS, bind, compiled
-from household.feedback import Cause, Feedback
+from household.feedback import Cause, Feedback, reward
 from household.robots.bout import Bout
 from household.scenario.scenario import Scenario
 from household.state import Stateful
@@ -23,7 +23,8 @@ class Robots(Stateful):
 
     Args:
         scenario: Names them and says what they can do.
-        zeros: Makes the arrays that others see: `behaviors` and `begun`.
+        zeros: Makes the arrays that others see: `behaviors`, `begun` and
+            `rewards`.
 
     Attributes:
         bouts: What each robot is doing.
@@ -34,6 +35,7 @@ class Robots(Stateful):
         touched: Whether any robot felt a touch in the last step.
         felt: Sum of caresses and of taps felt in it, (n, 2), both in [0, 1].
         feedback: The touches that each felt in it.
+        rewards: The reward of each for it, shape (n,).
         causes: What each of those touches was really about; for evaluation only.
     """
 
@@ -47,15 +49,17 @@ class Robots(Stateful):
         "touched",
         "felt",
         "feedback",
+        "rewards",
         "causes",
     )
 
-    def __init__(self, scenario: Scenario, zeros: Zeros = np.zeros) -> None:
+    def __init__(self, scenario: Scenario, zeros: Zeros = new_zeros) -> None:
         self.names = scenario.robot_names
         self._durations = [b.duration for b in scenario.repertoire]
         n = len(self.names)
-        self.behaviors: Indices = zeros((n,), np.intp)
-        self.begun: Indices = zeros((n,), np.intp)
+        self.behaviors: Indices = zeros("behavior", (n,), np.intp)
+        self.begun: Indices = zeros("begun", (n,), np.intp)
+        self.rewards: Floats = zeros("reward", (n,))
         self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
         self._show = bind(
@@ -116,13 +120,14 @@ class Robots(Stateful):
         self.touched = False
         self.feedback: list[tuple[Feedback, ...]] = [()] * len(self.names)
         self.causes: list[tuple[Cause, ...]] = [()] * len(self.names)
-        self.felt[:] = 0.0
+        self.felt[:], self.rewards[:] = 0.0, 0.0
 
     def feel(self, robot: int, feedback: Feedback, cause: Cause) -> None:
         """A touch is felt."""
         self.touched = True
         self.feedback[robot] += (feedback,)
         self.causes[robot] += (cause,)
+        self.rewards[robot] = reward(self.feedback[robot])
         kind = 0 if feedback.kind == "caress" else 1
         total = self.felt[robot, kind] + feedback.strength
         self.felt[robot, kind] = min(total, 1.0)

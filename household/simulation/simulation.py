@@ -6,10 +6,11 @@ or rewards. The environment steps it, and evaluators and replays look at it.
 
 import math
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 
-from household.compiled.arrays import Floats, SideBySide
+from household.compiled.arrays import Floats
 from household.compiled.jit import FLOATS_2D, bind
 from household.feedback import Feedback
 from household.motion.crowd import BodyParams, Crowd
@@ -22,6 +23,7 @@ from household.perception.senses import Beings, Senses
 from household.robots.motions import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario.scenario import MOST_PEOPLE, Scenario
+from household.simulation.moment import DECISION, Record, field_of, record_type
 from household.simulation.random_streams import Draws, Streams
 from household.state import Stateful
 
@@ -40,9 +42,6 @@ ROBOT_HEAD_SPEED = 360.0
 ROBOT_VIEW = math.radians(120.0) / 2
 """Half a robot's field of view [rad]."""
 
-ROOM, ROOM_FOR_PAIRS = 96, 10
-"""For what is recorded of everybody and of every pair [bytes]."""
-
 
 class Simulation(Stateful):
     """The people and the robots of a household, their bodies and their senses.
@@ -59,7 +58,8 @@ class Simulation(Stateful):
         senses: Who sees, hears and attends to whom.
         moods: The people's moods as each robot reads them, (n_robots, n_people).
         view: What robots may know of this moment.
-        memory: Holds all of that which is recorded.
+        record: What is recorded of this moment, shape (); most arrays of the others
+            that change from moment to moment are views of its fields.
         half_view: Half of each one's field of view, (n,) [rad]; negative: eyes closed.
         revision: Another number whenever roles or attention are others than before.
         decision: Decisions since the beginning.
@@ -68,13 +68,13 @@ class Simulation(Stateful):
     """
 
     STATE = (
+        "record",
         "decision",
         "time",
         "people",
         "robots",
         "crowd",
         "senses",
-        "half_view",
         "moods",
         "_salience",
         "_source",
@@ -85,13 +85,13 @@ class Simulation(Stateful):
     def __init__(self, scenario: Scenario, make_minds: MakeMinds) -> None:
         self.scenario = scenario
         n = len(scenario.people) + len(scenario.robots)
-        # What is recorded at each moment is copied all at once.
-        self.memory = SideBySide(ROOM * n + ROOM_FOR_PAIRS * n * n)
-        zeros = self.memory.zeros
+        # One block of memory, so that a recorder copies the moment in one go.
+        self.record: Record = np.zeros((), record_type(scenario))
+        zeros = partial(field_of, self.record)
         self.people = People(scenario, make_minds, zeros)
         self.robots = Robots(scenario, zeros)
-        self.revision, self.decision, self.time = 0, 0, 0.0
-        self.begun = False
+        self.revision, self.begun = 0, False
+        self._set_clock(0)
         personas = [person.persona for person in self.people.everyone]
         n_people, n_robots = len(personas), len(self.robots.names)
         self._n_people = n_people
@@ -115,7 +115,7 @@ class Simulation(Stateful):
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period
         self._absorption = np.array([p.absorption for p in personas] + [1.0] * n_robots)
-        self.half_view: Floats = zeros((n,))
+        self.half_view: Floats = zeros("half_view", (n,))
         self.half_view[:] = ROBOT_VIEW
         self.moods = np.zeros((n_robots, n_people))
         self._salience = np.ones(n_people + n_robots)
@@ -141,7 +141,8 @@ class Simulation(Stateful):
         Args:
             seed: Begins a history of its own; None goes on with the present one.
         """
-        self.decision, self.time, self.begun = 0, 0.0, True
+        self.begun = True
+        self._set_clock(0)
         self.revision += 1
         self._streams.begin(seed)
         # Drawn for as many as could be here, so that one more shifts nobody's draws.
@@ -183,12 +184,16 @@ class Simulation(Stateful):
             self.robots.choose(robot, behavior, self.decision, self.time)
         self._move_robots()
         self._walk_and_touch()
-        self.decision += 1
-        self.time = self.decision * self.scenario.decision_period
+        self._set_clock(self.decision + 1)
         self._look_around(self._head_turn)
         self._perceive()
         self.people.judge(self.senses, self.robots)
         self.people.decide(self.crowd, self.senses, self.robots, self.time)
+
+    def _set_clock(self, decision: int) -> None:
+        self.decision = decision
+        self.time = decision * self.scenario.decision_period
+        self.record[DECISION] = decision
 
     def _move_robots(self) -> None:
         """Robots move as their behaviors have it; who is done stands still."""

@@ -4,6 +4,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -12,11 +13,11 @@ from pettingzoo.utils.conversions import parallel_to_aec
 from household import household_v0
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes
+from household.replay.buffer import REMEMBERED, Buffer
 from household.replay.marks import Marks
 from household.replay.moments import bends
 from household.replay.reading import read_replay
 from household.replay.recorder import Recorder
-from household.replay.rows import NAMES, REMEMBERED, Buffer
 from household.simulation.snapshot import Snapshot, snapshot
 
 
@@ -40,7 +41,10 @@ def equal(one: Snapshot, other: Snapshot) -> bool:
         a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
         if isinstance(a, np.ndarray)
         else type(a) is type(b) and a == b
-        for a, b in zip(one, other, strict=True)
+        for a, b in (
+            (getattr(one, field.name), getattr(other, field.name))
+            for field in fields(Snapshot)
+        )
     )
 
 
@@ -66,7 +70,7 @@ def test_what_is_read_back_is_what_happened_bit_for_bit(lived):
     replay = read_replay(path)
     assert len(replay) == len(moments) == 301
     assert all(equal(a, b) for a, b in zip(replay, moments, strict=True))
-    assert replay.rows.reward[1:].tolist() == rewards
+    assert replay.moments.reward[1:].tolist() == rewards
     assert sum(len(m.touches) for m in moments) > 20
     assert {t.feedback.kind for m in moments for t in m.touches} == {"tap", "caress"}
 
@@ -134,10 +138,6 @@ def test_a_turn_based_household_is_recorded_below_its_turns(tmp_path):
     assert len(read_replay(tmp_path / "episode_00000.rrd")) == 6
 
 
-def test_rows_and_snapshots_have_the_same_fields_in_the_same_order():
-    assert (*NAMES, "touches") == Snapshot._fields
-
-
 def test_each_episode_gets_a_file_of_its_own(tmp_path):
     env = RecordEpisodes(household_v0.parallel_env(max_cycles=5), tmp_path / "new")
     for _ in range(2):
@@ -168,7 +168,7 @@ def test_what_was_written_survives_a_kill(tmp_path):
     done = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], check=False)
     assert done.returncode == -signal.SIGKILL
     replay = read_replay(tmp_path / "episode_00000.rrd")
-    assert replay.rows.decision.tolist() == list(range(100))
+    assert replay.moments.decision.tolist() == list(range(100))
 
 
 def test_a_file_torn_in_the_middle_is_read_up_to_the_tear(lived, tmp_path):
@@ -208,7 +208,7 @@ def test_threads_do_not_pile_up(tmp_path):
 
     def record(k):
         env.reset()
-        Recorder(env, tmp_path / f"{k}.rrd").close()
+        Recorder(env.simulation, tmp_path / f"{k}.rrd").close()
 
     env = household_v0.parallel_env(max_cycles=2)
     record(0)
@@ -238,7 +238,7 @@ def test_where_robots_were_is_known_for_a_while_also_after_it_was_written(
 ):
     env = household_v0.parallel_env("evening", max_cycles=800)
     env.reset(seed=1)
-    n, buffer = len(env.scenario.people), Buffer(env.scenario, env.simulation, 700)
+    n, buffer = len(env.scenario.people), Buffer(env.simulation, 700)
     spots = []
     for decision, actions in zip(range(800), random_actions(env, 0), strict=False):
         buffer.put()

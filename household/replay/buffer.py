@@ -1,0 +1,81 @@
+"""The buffer: moments that are kept in memory until they are written out."""
+
+from bisect import bisect_left
+
+import numpy as np
+
+from household.compiled.arrays import Floats
+from household.simulation.moment import DECISION, Moments, recorded
+from household.simulation.simulation import Simulation
+
+FLUSH_EVERY = 16_000
+"""Decisions between writes to the file, about a second of simulation; a killed process
+loses no more than these. Each write takes some 20 ms, however little it writes."""
+
+MOST_BYTES = 32 << 20
+"""Of memory for a buffer; a large crowd is written out more often."""
+
+REMEMBERED = 512
+"""Decisions for which it is known where the robots were; lines go back no further."""
+
+
+class Buffer:
+    """Room for some moments of a simulation.
+
+    The simulation's record of a moment is copied as one piece, since that happens at
+    every step; what is in it is looked at only when the moments are taken out.
+
+    Args:
+        simulation: Whose moments are kept.
+        capacity: How many; fewer, if they would need more than `MOST_BYTES`.
+
+    Attributes:
+        decision: The last moment's; -1 before the first.
+    """
+
+    def __init__(self, simulation: Simulation, capacity: int) -> None:
+        self._simulation, self._now = simulation, simulation.record
+        self._capacity = max(1, min(capacity, MOST_BYTES // self._now.itemsize))
+        self._records = np.zeros(self._capacity, self._now.dtype)
+        self._decisions: list[int] = []
+        n_people = len(simulation.scenario.people)
+        self._spots = self._records["position"][:, n_people:]
+        self._before: tuple[list[int], Floats] = ([], self._spots[:0])
+        self.decision = -1
+
+    @property
+    def full(self) -> bool:
+        """Whether there is no room for another moment."""
+        return len(self._decisions) == self._capacity
+
+    def put(self) -> None:
+        """Adds the simulation's present moment."""
+        self._records[len(self._decisions)] = self._now
+        self.decision = self._simulation.decision
+        self._decisions.append(self.decision)
+
+    def spot(self, robot: int, decision: int) -> tuple[float, float]:
+        """Where a robot was [m]; where it is now, if that is forgotten.
+
+        Args:
+            robot: Its index.
+            decision: Not after the last moment.
+        """
+        known = decision if decision > self.decision - REMEMBERED else self.decision
+        decisions, spots = self._decisions, self._spots
+        if not decisions or known < decisions[0]:
+            decisions, spots = self._before
+        x, y = spots[bisect_left(decisions, known), robot].tolist()
+        return x, y
+
+    def take(self) -> Moments:
+        """Takes all moments out."""
+        decisions, scenario = self._decisions, self._simulation.scenario
+        records = self._records[: len(decisions)]
+        earlier, spots = self._before
+        latest = np.concatenate([spots, self._spots[: len(decisions)]])[-REMEMBERED:]
+        self._before = [*earlier, *decisions][-REMEMBERED:], latest
+        self._decisions = []
+        decision = records[DECISION].copy()
+        time: Floats = decision * scenario.decision_period
+        return Moments(decision=decision, time=time, **recorded(records, scenario))
