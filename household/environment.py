@@ -1,9 +1,9 @@
-"""The household as a PettingZoo environment; what a step does is told in `step`."""
+"""The household as a PettingZoo environment."""
 
 import operator
 from collections.abc import Collection, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from gymnasium import spaces
@@ -24,9 +24,7 @@ from household.scenario.validation import load_scenario
 from household.simulation.checkpoint import Checkpoint, restore, take
 from household.simulation.simulation import Simulation
 from household.simulation.snapshot import snapshot
-
-if TYPE_CHECKING:
-    from household.view.painter import Screen
+from household.view.painter import Screen
 
 Observation = Any
 Results = tuple[
@@ -193,8 +191,6 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         if self.render_mode is None:
             return None
         if self._screen is None:
-            from household.view.painter import Screen
-
             fps = self.metadata["render_fps"]
             self._screen = Screen(self.scenario, self.render_mode, fps)
         return self._screen.show(snapshot(self.simulation))

@@ -8,12 +8,12 @@ from numpy.typing import DTypeLike, NDArray
 Floats = NDArray[np.float64]
 
 Singles = NDArray[np.float32]
-"""In single precision, where many are kept or handed over."""
+"""In single precision, for arrays that are large or handed to others."""
 
 Indices = NDArray[np.intp]
 
 Integers = NDArray[np.int64]
-"""The same size on every machine, for what is stored or handed over."""
+"""Of the same size on every machine, for what is stored or handed to others."""
 
 Mask = NDArray[np.bool_]
 
@@ -27,7 +27,7 @@ class Zeros(Protocol):
     def __call__(
         self, name: str, shape: tuple[int, ...], dtype: DTypeLike = ..., /
     ) -> NDArray[Any]:
-        """Makes it; of double precision, unless told otherwise."""
+        """Makes it; in double precision, unless another type is asked for."""
 
 
 def new_zeros(

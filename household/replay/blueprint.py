@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from household.replay.scenery import LANE, MOST_ROWS, WINDOW, lanes_of, names_of, second
 from household.scenario.scenario import Scenario
-from household.view.raster import size_of
+from household.view.floorplan_svg import size_of
 
 if TYPE_CHECKING:
     import rerun.blueprint as rrb

@@ -1,4 +1,4 @@
-"""Tables: the exact columns of a recording, read back as arrays."""
+"""Chunks: the exact columns of a recording, read back as tables of arrays."""
 
 import struct
 import tempfile
@@ -26,8 +26,8 @@ def read_tables(path: Path) -> dict[str, Table]:
         path: The file.
 
     Returns:
-        By entity: its columns in order of time, ``decision`` among them; a column of
-        one number or text for each row has shape (n,), another one (n, width).
+        A table for each entity: its columns in order of time, ``decision`` among them.
+        A column with one number or text in each row has shape (n,), others (n, width).
 
     Raises:
         HouseholdError: If it cannot be read.
@@ -76,7 +76,7 @@ def _table(batch: Any) -> Table:  # noqa: ANN401 - Arrow has no type information
 
 
 def _array(column: Any) -> NDArray[Any]:  # noqa: ANN401 - Arrow
-    """Numbers as they were, texts as objects; a width of one is left out."""
+    """Numbers as they were, texts as objects; an axis of length one is dropped."""
     import pyarrow as pa
 
     rows = len(column)
@@ -95,7 +95,7 @@ def _merged(tables: list[Table]) -> Table:
 
 @contextmanager
 def _whole_part(path: Path) -> Iterator[Path]:
-    """The file, or a copy without its last message if that was torn by a kill."""
+    """The file, or a copy without its last message if a kill cut that off."""
     data = path.read_bytes()
     end = _end_of_messages(data)
     if end == len(data):
@@ -108,7 +108,7 @@ def _whole_part(path: Path) -> Iterator[Path]:
 
 
 def _end_of_messages(data: bytes) -> int:
-    """Where the last whole message of a file ends."""
+    """Where the last complete message of a file ends [bytes]."""
     end = HEADER
     while end + MESSAGE.size <= len(data):
         _, length = MESSAGE.unpack_from(data, end)

@@ -1,8 +1,10 @@
-"""Columns: whole arrays in the form in which Rerun takes them, without detours.
+"""Columns: whole arrays in the form in which Rerun takes them.
 
-Rerun's own ways to make columns look at every value; these only hand over memory. In
-every array the first axis is the moment, and the second one, where there is one, what
-is drawn at it.
+Rerun's own functions look at every value; these pass the memory of arrays on as it is.
+In every array the first axis is the moment, and the second, if there is one, what is
+drawn at that moment. Where the number of drawn things differs from moment to moment,
+those of all moments follow one another on a single axis, and `sizes` says how many
+belong to each moment, shape (n_moments,).
 """
 
 from collections.abc import Sequence
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
 
 ARCHETYPE = "household.State"
-"""Under which exact columns are stored, beside Rerun's own kinds of data."""
+"""Rerun's name for a kind of data: here, for columns of exact values."""
 
 
 def vectors(
@@ -30,10 +32,9 @@ def vectors(
     """Points or arrows.
 
     Args:
-        kind: What they are to Rerun: a descriptor, as are those below.
-        values: Shape (n_moments, n, 2).
-        sizes: How many there are at each moment, where that differs, (n_moments,); here
-            and below ``values`` are then without the first axis.
+        kind: Rerun's descriptor of what they are.
+        values: Shape (n_moments, n, 2), or (n, 2) with ``sizes``.
+        sizes: How many there are at each moment, if that differs.
     """
     return _column(kind, _vectors(values), values.shape[1] if sizes is None else sizes)
 
@@ -41,7 +42,13 @@ def vectors(
 def strips(
     kind: "Kind", values: NDArray[Any], sizes: Integers | None = None
 ) -> "rr.ComponentColumn":
-    """Lines of equally many points, shape (n_moments, n, n_points, 2)."""
+    """Lines that all have the same number of points.
+
+    Args:
+        kind: Rerun's descriptor of what they are.
+        values: Shape (n_moments, n, n_points, 2), or (n, n_points, 2) with ``sizes``.
+        sizes: How many there are at each moment, if that differs.
+    """
     import pyarrow as pa
 
     inner = _vectors(values)
@@ -54,7 +61,13 @@ def strips(
 def colors(
     kind: "Kind", values: NDArray[np.uint32], sizes: Integers | None = None
 ) -> "rr.ComponentColumn":
-    """Packed colors, shape (n_moments, n)."""
+    """Packed colors.
+
+    Args:
+        kind: Rerun's descriptor of what they color.
+        values: Shape (n_moments, n), or (n,) with ``sizes``.
+        sizes: How many there are at each moment, if that differs.
+    """
     import pyarrow as pa
 
     each = values.shape[1] if sizes is None else sizes
@@ -70,10 +83,10 @@ def texts(
     """Texts that recur.
 
     Args:
-        kind: What they are to Rerun.
-        among: All that there are.
-        which: Indices, shape (n_moments, n).
-        sizes: As in `vectors`.
+        kind: Rerun's descriptor of what they are.
+        among: All different texts.
+        which: Indices into them, shape (n_moments, n), or (n,) with ``sizes``.
+        sizes: How many there are at each moment, if that differs.
     """
     import pyarrow as pa
 
@@ -82,7 +95,7 @@ def texts(
 
 
 def pictures(kind: "Kind", values: NDArray[np.uint8]) -> "rr.ComponentColumn":
-    """One picture at each moment, its bytes in shape (n_moments, ...)."""
+    """One picture at each moment, as bytes of shape (n_moments, ...)."""
     import pyarrow as pa
 
     flat = pa.array(values.reshape(-1))
@@ -92,10 +105,10 @@ def pictures(kind: "Kind", values: NDArray[np.uint8]) -> "rr.ComponentColumn":
 
 
 def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
-    """A column that is stored as it is; Rerun rounds drawn positions to 32 bits.
+    """A column of exact numbers, for positions that Rerun draws are rounded to 32 bits.
 
     Args:
-        name: Of the column.
+        name: The column's name.
         values: Numbers, one row for each moment.
     """
     import pyarrow as pa
@@ -104,7 +117,7 @@ def exact(name: str, values: NDArray[Any]) -> "rr.ComponentColumn":
     if flat.dtype == np.bool_:
         flat = flat.view(np.uint8)
     elif flat.dtype == np.int64:
-        flat = flat.astype(np.int32)  # Half as much to write; none is that large.
+        flat = flat.astype(np.int32)  # Half as much to write; none is larger.
     rows = pa.FixedSizeListArray.from_arrays(pa.array(flat.reshape(-1)), flat.shape[1])
     return _column(_state(name), rows, 1)
 
@@ -113,8 +126,8 @@ def words(name: str, values: Sequence[str]) -> "rr.ComponentColumn":
     """A column of texts, one for each moment."""
     import pyarrow as pa
 
-    told = pa.array(list(values), pa.string())
-    return _column(_state(name), pa.FixedSizeListArray.from_arrays(told, 1), 1)
+    flat = pa.array(list(values), pa.string())
+    return _column(_state(name), pa.FixedSizeListArray.from_arrays(flat, 1), 1)
 
 
 def _state(name: str) -> "rr.ComponentDescriptor":
@@ -132,7 +145,7 @@ def _vectors(values: NDArray[Any]) -> "pa.Array":
 
 
 def _offsets(count: int, size: int) -> NDArray[np.int32]:
-    """Where groups of the same size begin and end."""
+    """Where groups of the same size begin, and where the last one ends."""
     return np.arange(0, count + 1, size, dtype=np.int32)
 
 

@@ -25,7 +25,7 @@ VERBS = {"caress": "caresses", "tap": "taps"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BeliefShare:
-    """What a past entry gets of a touch.
+    """The share of a touch that a learner gives to a past history entry.
 
     Attributes:
         time: When the entry began [s].
@@ -45,10 +45,10 @@ class Belief:
     Attributes:
         robot: Name of the robot that learned.
         giver: Who touched.
-        value: Of the touch, in [-1, 1].
-        time: Of the touch [s].
-        shares: Who gets how much of it.
-        designated: The one that it is about above all, if any.
+        value: The touch's value, in [-1, 1].
+        time: When it was felt [s].
+        shares: The history entries that get a share of it.
+        designated: The share of the entry that it is most about, if there is one.
     """
 
     robot: str
@@ -78,7 +78,7 @@ class Events:
         self._first = 0
 
     def feel(self, touches: Iterable[Touch]) -> None:
-        """Remembers the touches of this moment."""
+        """Adds the touches of this moment."""
         now = self._buffer.decision
         for touch in touches:
             self._touches.append((now, touch))
@@ -90,7 +90,7 @@ class Events:
             self._marks["true"].items.append((now, None, line))
 
     def believe(self, belief: Belief) -> None:
-        """Remembers what a learner believes at this moment."""
+        """Adds what a learner believes at this moment."""
         now = self._buffer.decision
         self._beliefs.append((now, belief))
         if belief.designated is not None:
@@ -99,7 +99,7 @@ class Events:
             self._marks["believed"].items.append((now, None, (touched, meant)))
 
     def send(self, stream: Stream) -> None:
-        """Writes what came since the last time."""
+        """Writes what was added since the last time."""
         self._send_marks(stream)
         if self._touches:
             self._send_touches(stream)
@@ -107,7 +107,7 @@ class Events:
             self._send_beliefs(stream)
         self._touches.clear()
         self._beliefs.clear()
-        # What is believed of this moment may still come.
+        # Beliefs at this moment may still come.
         self._first = self._buffer.decision
 
     def _decision(self, time: float) -> int:
@@ -152,10 +152,10 @@ class Events:
         )
         stream.send("credit/past/touches", times, points)
         meant = self._on_lanes([(cause.time, cause.robot) for cause in causes])
-        bows = arcs(at, meant, 1.0)[:, None]
-        true = strips(rr.LineStrips2D.descriptor_strips(), bows)
+        curves = arcs(at, meant, 1.0)[:, None]
+        true = strips(rr.LineStrips2D.descriptor_strips(), curves)
         stream.send("credit/past/true", times, [true])
-        text = [self._told(touch) for touch in touches]
+        text = [self._touch_text(touch) for touch in touches]
         level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
         stream.send("events", times, rr.TextLog.columns(text=text, level=level))
 
@@ -173,11 +173,11 @@ class Events:
         stream.send("credits", at, self._share_columns(pairs))
         touched = self._on_lanes([(b.time, b.robot) for b, _ in pairs])
         meant = self._on_lanes([(share.time, b.robot) for b, share in pairs])
-        bows = arcs(touched, meant, -1.0)
+        curves = arcs(touched, meant, -1.0)
         radii = np.array([0.005 + 0.025 * min(share.weight, 1.0) for _, share in pairs])
-        lines = rr.LineStrips2D.columns(strips=bows, radii=radii)
+        lines = rr.LineStrips2D.columns(strips=curves, radii=radii)
         stream.send("credit/past/believed", at, lines)
-        text = [self._told_belief(belief) for _, belief in self._beliefs]
+        text = [self._belief_text(belief) for _, belief in self._beliefs]
         level = ["DEBUG"] * len(text)
         stream.send("events", times, rr.TextLog.columns(text=text, level=level))
 
@@ -201,7 +201,7 @@ class Events:
             exact("designated", np.array(chosen, dtype=np.bool_)),
         ]
 
-    def _told(self, touch: Touch) -> str:
+    def _touch_text(self, touch: Touch) -> str:
         felt, cause = touch.feedback, touch.cause
         other = "" if cause.robot == touch.robot else f" of {cause.robot}"
         return (
@@ -209,14 +209,14 @@ class Events:
             f"{self._name(cause.behavior)}{other} {felt.time - cause.time:.1f} s before"
         )
 
-    def _told_belief(self, belief: Belief) -> str:
+    def _belief_text(self, belief: Belief) -> str:
         shares = sorted(belief.shares, key=lambda share: -share.weight)[:3]
-        told = ", ".join(
+        about = ", ".join(
             f"{self._name(s.behavior)} {belief.time - s.time:.1f} s before "
             f"({s.weight:.2f})"
             for s in shares
         )
-        return f"  {belief.robot} believes, for {told or 'nothing'}"
+        return f"  {belief.robot} believes, for {about or 'nothing'}"
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"

@@ -1,4 +1,4 @@
-"""Marks on the floor plan and bows in the picture of credit: how events are drawn."""
+"""How events are drawn: marks on the floor plan, arcs in the picture of credit."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -18,27 +18,28 @@ Point = tuple[float, float]
 
 @dataclass
 class Marks:
-    """Things that stay for a while and then go.
+    """Things that are shown for a while.
 
     Attributes:
-        stay: For how many decisions.
-        items: Since which decision, in order, in whose place, and what. In one place is
-            what came last; None is a place for everything.
+        stay: For how many decisions each is shown.
+        items: The things in the order of time: since which decision, in which place,
+            and what. A place shows only what came last; None is no place, and things
+            without a place are all shown.
     """
 
     stay: int
     items: list[tuple[int, str | None, Any]] = field(default_factory=list)
 
     def groups(self, first: int, last: int) -> tuple[Integers, list[Any], Integers]:
-        """Which things are there at each decision at which that changes.
+        """Which things are shown at each decision at which that changes.
 
         Args:
-            first: First decision asked for; things that are gone before are forgotten.
-            last: Last decision asked for.
+            first: First decision asked for.
+            last: Last decision asked for; things that are gone by then are forgotten.
 
         Returns:
-            The decisions, the things that are there at one after the other of them, and
-            how many those are at each.
+            The decisions; the things shown, those of one decision after those of the
+            other; and how many are shown at each decision.
         """
         since = np.array([at for at, _, _ in self.items], dtype=np.int64)
         until = self._until()
@@ -55,7 +56,7 @@ class Marks:
         return at, things, np.bincount(moment, minlength=len(at))
 
     def _until(self) -> Integers:
-        """When each goes, or is taken the place of."""
+        """The decision at which each goes, or is replaced."""
         until = [at + self.stay for at, _, _ in self.items]
         newest: dict[str, int] = {}
         for i, (at, place, _) in enumerate(self.items):
@@ -72,13 +73,13 @@ def send_touch_marks(
     marks: Sequence[tuple[Point, Feedback]],
     sizes: Integers,
 ) -> None:
-    """Dots where robots were touched last; who touched them and how stands above.
+    """Writes dots where robots were touched; above each, who touched and how.
 
     Args:
         stream: Where to.
-        times: When what is there changes.
-        marks: What is there at one moment after the other.
-        sizes: How many those are at each moment.
+        times: When the dots shown change.
+        marks: The dots shown, those of one moment after those of the other.
+        sizes: How many dots are shown at each moment.
     """
     import rerun as rr
 
@@ -90,32 +91,32 @@ def send_touch_marks(
         colors(kind.descriptor_colors(), look, sizes),
     )
     stream.send("world/touches", times, dots)
-    told = [f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks]
+    labels = [f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks]
     above = spots + np.array([0.0, 0.5])
     words = (
         vectors(kind.descriptor_positions(), above, sizes),
-        texts(kind.descriptor_labels(), told, np.arange(len(told)), sizes),
+        texts(kind.descriptor_labels(), labels, np.arange(len(labels)), sizes),
     )
     stream.send("world/touches/texts", times, words)
 
 
 def arcs(start: Floats, end: Floats, side: float) -> Singles:
-    """Bows between points in the picture of credit.
+    """Arcs between points in the picture of credit.
 
     Args:
         start: Where they begin, shape (n, 2).
         end: Where they end, shape (n, 2).
-        side: -1 bows upwards, 1 downwards.
+        side: -1 for arcs above, 1 for arcs below.
 
     Returns:
         Shape (n, n_points, 2).
     """
     along = np.linspace(0.0, 1.0, 13)[None, :, None]
-    bows = (1 - along) * start[:, None] + along * end[:, None]
+    curves = (1 - along) * start[:, None] + along * end[:, None]
     height = np.minimum(0.42, 0.12 + 0.3 * np.abs(start[:, 0] - end[:, 0]))
     rise = 4 * along * (1 - along) * height[:, None, None]
-    bows[..., 1:] += side * LANE * rise
-    return bows.astype(np.float32)
+    curves[..., 1:] += side * LANE * rise
+    return curves.astype(np.float32)
 
 
 def touch_color(value: float) -> str:

@@ -1,4 +1,4 @@
-"""What changes from moment to moment, as columns."""
+"""Writes what changes from moment to moment, as columns."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +24,7 @@ ARROW = 0.35
 """Length of the arrow that shows where a body faces [m]."""
 
 VISIBLE = 0.005
-"""By how much a drawn course may miss a mood, of the range from -1 to 1."""
+"""By how much a drawn curve may miss a mood, which is in [-1, 1]."""
 
 PEOPLE, GAZES = packed(ACTIVITIES), packed(ACTIVITIES, 160)
 """Colors of people and of their gazes, by activity."""
@@ -48,35 +48,35 @@ def _mark_changes(values: NDArray[Any], changed: Mask) -> None:
                 break
 
 
-def bends(values: Floats, least: float) -> Indices:
-    """Indices of the rows between which straight lines tell a course over time.
+def bends(values: Floats, tolerance: float) -> Indices:
+    """Indices of the rows that suffice to draw time series as straight lines.
 
     Args:
         values: One row for each moment, shape (n_moments, n).
-        least: By how much lines may miss a value.
+        tolerance: By how much the lines may miss a value.
     """
-    told = np.zeros(len(values), dtype=np.bool_)
-    told[:1] = told[-1:] = True
-    _mark_bends(values, least, told)
-    return np.flatnonzero(told)
+    kept = np.zeros(len(values), dtype=np.bool_)
+    kept[:1] = kept[-1:] = True
+    _mark_bends(values, tolerance, kept)
+    return np.flatnonzero(kept)
 
 
 @compiled
-def _mark_bends(values: Floats, least: float, told: Mask) -> None:
+def _mark_bends(values: Floats, tolerance: float, kept: Mask) -> None:
     last = 0
     for row in range(1, len(values)):
-        if _differ(values[row], values[last], least):
-            # Before a jump the course goes on as it was.
-            told[row - 1] |= _differ(values[row], values[row - 1], least)
-            told[row], last = True, row
+        if _differ(values[row], values[last], tolerance):
+            # Up to a jump the line stays where it was.
+            kept[row - 1] |= _differ(values[row], values[row - 1], tolerance)
+            kept[row], last = True, row
 
 
 @compiled
-def _differ(one: Floats, other: Floats, least: float) -> bool:
-    """Whether any number is another, by more than so much."""
+def _differ(one: Floats, other: Floats, tolerance: float) -> bool:
+    """Whether any number differs by more than a tolerance."""
     differ = False
     for k in range(len(one)):
-        differ |= abs(one[k] - other[k]) > least
+        differ |= abs(one[k] - other[k]) > tolerance
     return differ
 
 
@@ -129,7 +129,7 @@ def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
 
 
 def _person_labels(scenario: Scenario) -> list[str]:
-    """What stands at each person in each activity, one person after the other."""
+    """The label of each person in each activity, one person after the other."""
     words = [f": {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [""]
     return [name + word for name in scenario.person_names for word in words]
 
@@ -152,14 +152,14 @@ def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
 
 
 def _palette(scenario: Scenario) -> NDArray[np.uint32]:
-    """The colors of no behavior and of all others."""
+    """The color of no behavior, and those of all behaviors."""
     return packed([behavior_color(b) for b in range(-1, len(scenario.behaviors))])
 
 
 def _send_bodies(
     stream: Stream, entity: str, moments: Moments, who: slice, radius: float
 ) -> None:
-    """Where bodies are and face; their names stand below them."""
+    """Writes where bodies are and where they face, with their names below them."""
     import rerun as rr
 
     points = rr.Points2D.descriptor_positions()
@@ -184,7 +184,7 @@ def _send_at(
     where: Indices,
     *columns: "ComponentColumn",
 ) -> None:
-    """Writes columns that have values for some of the moments."""
+    """Writes columns that have values for some of the moments only."""
     stream.send(entity, (moments.decision[where], moments.time[where]), columns)
 
 
@@ -192,11 +192,11 @@ def _send_series(stream: Stream, moments: Moments, total: Floats) -> None:
     import rerun as rr
 
     sums = total + np.cumsum(moments.reward, axis=0)
-    courses = (("reward/sum", sums, 0.0), ("mood", moments.mood, VISIBLE))
-    for entity, values, least in courses:
-        where = bends(values, least)
-        course = rr.Scalars.columns(scalars=values[where])
-        _send_at(stream, entity, moments, where, *course)
+    series = (("reward/sum", sums, 0.0), ("mood", moments.mood, VISIBLE))
+    for entity, values, tolerance in series:
+        where = bends(values, tolerance)
+        scalars = rr.Scalars.columns(scalars=values[where])
+        _send_at(stream, entity, moments, where, *scalars)
     # Moments without a touch would draw a line of dots at 0.
     where = np.flatnonzero((moments.reward != 0.0).any(axis=1))
     reward = moments.reward[where]
@@ -217,18 +217,19 @@ def _send_lanes(stream: Stream, scenario: Scenario, moments: Moments) -> None:
 
     kind = rr.StateChange.descriptor_state()
     behaviors = ["", *scenario.behaviors]
-    courses = np.hstack([moments.activity, moments.behavior + 1])
-    for lane, course in zip(lanes_of(scenario), courses.T, strict=True):
+    states = np.hstack([moments.activity, moments.behavior + 1])
+    for lane, state in zip(lanes_of(scenario), states.T, strict=True):
         names = behaviors if lane.startswith("behavior") else ACTIVITY_NAMES
-        where = changes(course)
-        states = texts(kind, names, course[where, None])
-        _send_at(stream, lane, moments, where, states)
+        where = changes(state)
+        column = texts(kind, names, state[where, None])
+        _send_at(stream, lane, moments, where, column)
 
 
 def _send_credit_lanes(stream: Stream, scenario: Scenario, moments: Moments) -> None:
-    """A piece of lane for each moment, in the color of what the robot did.
+    """Writes a piece of lane for each moment, in the color of what the robot did.
 
-    The viewer shows those of the last while together; all move left as time goes by.
+    The viewer shows those of the last `WINDOW` seconds together, and they move left as
+    time goes by.
     """
     import rerun as rr
 

@@ -9,23 +9,23 @@ from pathlib import Path
 from household.errors import HouseholdError
 
 LOOPBACK = "127.0.0.1"
-"""Viewers listen on this machine alone; Rerun's own default is everywhere."""
+"""Viewers accept connections from this machine only; Rerun's default is from any."""
 
 PORT = 9876
-"""Rerun's own; a viewer that a person has open listens there."""
+"""Rerun's default, on which a viewer that a person has opened listens."""
 
 
 OPENS_WITHIN, SETTLES = 20.0, 1.0
-"""How long a viewer may take to open, and to find that it has no screen [s]."""
+"""How long a viewer may take to open, and to notice that it has no screen [s]."""
 
 
 def address(port: int) -> str:
-    """Where a viewer on this machine takes recordings."""
+    """The address at which a viewer on this machine accepts recordings."""
     return f"rerun+http://{LOOPBACK}:{port}/proxy"
 
 
 def open_viewer() -> str:
-    """Opens a viewer that stays, unless one is open, and returns its address.
+    """Returns the address of an open viewer, and opens one if there is none.
 
     Raises:
         HouseholdError: If no viewer opens, as on a machine without a screen.
@@ -42,11 +42,11 @@ def _listens(port: int) -> bool:
 
 
 def _wait_for(process: "subprocess.Popen[bytes]") -> None:
-    """Waits until a viewer takes recordings; one without a screen ends at once."""
+    """Waits until a viewer accepts recordings; one without a screen ends at once."""
     end = time.monotonic() + OPENS_WITHIN
     while process.poll() is None and time.monotonic() < end:
         if _listens(PORT):
-            time.sleep(SETTLES)  # It listens before it has found its screen.
+            time.sleep(SETTLES)  # It listens before it looks for a screen.
             break
         time.sleep(0.1)
     if process.poll() is not None or not _listens(PORT):
@@ -63,13 +63,13 @@ def start_viewer(
     """Starts a viewer.
 
     Args:
-        *arguments: Of the command ``rerun``.
-        detached: The viewer outlives this process.
-        quiet: What the viewer says of itself is not shown.
+        *arguments: Arguments of the command ``rerun``.
+        detached: Whether the viewer outlives this process.
+        quiet: Whether to hide the viewer's messages.
     """
     import rerun_cli
 
-    # Not the script of that name: ending that would leave the viewer running.
+    # Not the script of that name, since ending it would leave the viewer running.
     binary = Path(rerun_cli.__file__).with_name("rerun")
     if not binary.exists():
         binary = binary.with_suffix(".exe")
@@ -83,7 +83,7 @@ def start_viewer(
 
 
 def free_ports(count: int) -> list[int]:
-    """Ports of this machine that nobody listens on."""
+    """Ports of this machine that are not in use."""
     sockets = [socket.socket() for _ in range(count)]
     try:
         for each in sockets:

@@ -15,7 +15,7 @@ from household.replay.buffer import FLUSH_EVERY, Buffer
 from household.replay.events import Belief, Events
 from household.replay.moments import send_moments
 from household.replay.process import open_viewer
-from household.replay.scenery import set_scene
+from household.replay.scenery import send_scenery
 from household.replay.situations import Situations
 from household.replay.stream import Stream, Times, saved_blueprint, times_of
 from household.scenario.scenario import Scenario
@@ -29,16 +29,16 @@ WATCH_EVERY = 0.5
 class Recorder:
     """Writes one episode, from the moment after its reset.
 
-    Moments are kept in arrays and written as columns, as one call to Rerun for each
-    would cost more than the simulation. A file that is cut off by a kill is whole up
-    to the last write.
+    Moments are kept in memory and written as columns, since a call to Rerun at each
+    step would cost more than the simulation. If the process is killed, the file holds
+    everything up to the last write.
 
     Args:
-        simulation: Of the household, whose episode has just begun.
+        simulation: The household's; its episode has just begun.
         path: File to write, ends in .rrd; None: none.
         learns: Whether learners will report what they believe.
-        watch: Shows the episode while it goes on: in the viewer, which is opened if
-            none is, or in the one at this address.
+        watch: Whether to show the episode while it goes on, in the viewer, which is
+            opened if necessary; or the address of the viewer to show it in.
         flush_every: Decisions between writes.
     """
 
@@ -69,14 +69,14 @@ class Recorder:
 
     def _begin(self, learns: bool) -> None:
         scenario = self._scenario
-        # A scenario is not hashable, but its text is.
+        # As text, since a scenario is not hashable.
         whole = msgspec.structs.replace(scenario, home=scenario.plan)
         text = msgspec.json.encode(whole)
         live = self._watch
         self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
         self._stream.describe(scenario=text.decode())
-        set_scene(self._stream, scenario, learns)
-        # First of all, as nothing can be read of a torn file without it.
+        send_scenery(self._stream, scenario, learns)
+        # At once, as nothing can be read of a file that a kill cut off without it.
         self._stream.flush()
 
     def record(self) -> None:
@@ -108,15 +108,15 @@ class Recorder:
         self.wait()
 
     def wait(self) -> None:
-        """Waits until all that was handed over is written."""
+        """Waits until Rerun has written all that it was given."""
         self._stream.flush()
 
     def _write(self) -> None:
-        """Hands over everything so far; Rerun writes it while the episode goes on."""
+        """Gives Rerun everything so far to write while the episode goes on."""
         moments = self._buffer.take()
         self._events.send(self._stream)
         self._send_values()
-        # Last, so that of a moment that a torn file holds, nothing is missing.
+        # Last, so that a file that a kill cuts off has all that belongs to a moment.
         if len(moments):
             self._situations.send(self._stream, moments)
             send_moments(self._stream, self._scenario, moments, self._total)
@@ -148,7 +148,7 @@ class Recorder:
 
 
 def _address(watch: bool | str) -> str | None:
-    """The viewer that is to show the episode."""
+    """The address of the viewer that is to show the episode."""
     if isinstance(watch, str):
         return watch
     return open_viewer() if watch else None

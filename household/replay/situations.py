@@ -1,4 +1,4 @@
-"""Situations in words, told when they change."""
+"""Situations in words, written when they change."""
 
 from functools import lru_cache
 from typing import Any
@@ -16,14 +16,14 @@ from household.scenario.scenario import Scenario
 from household.simulation.moment import Moments
 
 KEPT = 4096
-"""So many texts are remembered, as they recur."""
+"""How many texts are remembered, since they recur."""
 
 
 class Situations:
-    """Tells the situation that each robot sees.
+    """Writes the situation that each robot sees.
 
-    What is told follows from who plays what and attends to whom, and recurs: it is read
-    off rows when they are written out, which costs the steps nothing, and remembered.
+    It follows from who plays which role and who attends to whom. It is read from the
+    recorded moments when these are written, which costs the steps nothing.
 
     Args:
         scenario: The household.
@@ -58,41 +58,44 @@ class Situations:
                 which.append(among.setdefault(text, len(among)))
                 at.append(row)
         times = moments.decision[at], moments.time[at]
-        kind, told = rr.TextDocument.descriptor_text(), np.array(which, np.int64)
-        stream.send("situation", times, [texts(kind, list(among), told[:, None])])
+        kind, indices = rr.TextDocument.descriptor_text(), np.array(which, np.int64)
+        column = texts(kind, list(among), indices[:, None])
+        stream.send("situation", times, [column])
 
     def _looks(self, attends: Mask) -> Mask:
-        """What of the attention situations tell, shape (n_rows, n_views, n_looks).
+        """The part of the attention that situations contain.
 
-        Each robot has its own view, or there is one for all.
+        Returns:
+            Shape (n_moments, n_views, n_looks); each robot has its own view, or there
+            is one for all.
         """
         n = self._n
         if self._attention == "robot":
             return np.ascontiguousarray(attends[:, :n, n:].transpose(0, 2, 1))
-        told = attends if self._attention == "all" else attends[:, :0]
-        return told.reshape(len(attends), 1, -1)
+        seen = attends if self._attention == "all" else attends[:, :0]
+        return seen.reshape(len(attends), 1, -1)
 
     def _make_text(self, activity: bytes, looks: bytes) -> str:
         """The situations in words; one line if all see the same."""
         width, roles = len(looks) // self._views, self._roles(activity)
-        told = []
+        lines = []
         for view in range(self._views):
             sights = self._sights(looks[view * width : (view + 1) * width], view)
-            told.append(f"{roles}, {sights}" if roles and sights else roles or sights)
-        if told.count(told[0]) == len(told):
-            return told[0]
-        pairs = zip(self._robots, told, strict=True)
+            lines.append(f"{roles}, {sights}" if roles and sights else roles or sights)
+        if lines.count(lines[0]) == len(lines):
+            return lines[0]
+        pairs = zip(self._robots, lines, strict=True)
         return "\n".join([f"{robot}: {text}" for robot, text in pairs])
 
     def _make_roles(self, activity: bytes) -> str:
-        """Who plays what, in words."""
+        """Who plays which role, in words."""
         everybody = self._n + len(self._robots)
         nothing = np.zeros((everybody, everybody), np.bool_)
         seen = self._reader.seen(np.frombuffer(activity, np.int64), nothing)
         return str(Situation(seen[0].plays))
 
     def _make_sights(self, looks: bytes, view: int) -> str:
-        """Who attends to whom in words, as it is seen from one point of view."""
+        """Who attends to whom in words, from one point of view."""
         n, everybody = self._n, self._n + len(self._robots)
         attends = np.zeros((everybody, everybody), np.bool_)
         parts = {"robot": attends[:n, n + view], "all": attends, "none": attends[:0]}

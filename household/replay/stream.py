@@ -1,7 +1,6 @@
-"""Streams: the seam to Rerun, through which whole columns go to a file or a viewer.
+"""Streams: the interface to Rerun, which writes columns to a file or to a viewer.
 
-Rerun changes between minor versions; what is learned about its traps is used here
-and in the modules beside this one, and nowhere else.
+Rerun changes between minor versions; only the modules of this folder call it.
 """
 
 import tempfile
@@ -28,7 +27,7 @@ class Stream:
         kind: Recordings of the same kind share their blueprint in the viewer.
         name: Shown as the recording's name.
         path: File to write; None: none.
-        watch: Address of a viewer that shows it as it goes on; None: none.
+        watch: Address of a viewer that shows it while it is made; None: none.
     """
 
     def __init__(
@@ -78,8 +77,8 @@ class Stream:
 
         self.recording.send_property("household", rr.AnyValues(scenario=scenario))
 
-    def fix(self, entity: str, *parts: Any) -> None:  # noqa: ANN401 - archetypes
-        """Writes what does not change."""
+    def send_static(self, entity: str, *parts: Any) -> None:  # noqa: ANN401 - archetypes
+        """Writes what is the same at all times."""
         self.recording.log(entity, *parts, static=True)
 
     def send(
@@ -107,11 +106,11 @@ class Stream:
             self.recording.send_columns(entity, indexes, list(columns))
 
     def flush(self) -> None:
-        """Makes sure that all that was sent has arrived."""
+        """Waits until all that was sent has arrived."""
         self._despite_viewer(self.recording.flush)
 
     def close(self) -> None:
-        """Ends the recording and frees what it holds; the file is whole then."""
+        """Ends the recording and frees what it holds; then the file is complete."""
         import rerun_bindings
 
         if self._recording is not None:
@@ -119,12 +118,12 @@ class Stream:
             self._despite_viewer(recording.flush)
             self._despite_viewer(recording.disconnect)
             del recording
-            # Each closed stream would otherwise keep two threads for good.
+            # Otherwise each closed stream would keep two threads forever.
             cleanup = rerun_bindings.flush_and_cleanup_orphaned_recordings
             self._despite_viewer(cleanup)
 
     def _despite_viewer(self, action: Callable[[], object]) -> None:
-        """Whoever closes the viewer ends the watching, not the episode or its file."""
+        """Closing the viewer ends neither the episode nor its file."""
         try:
             action()
         except RuntimeError:

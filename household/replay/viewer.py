@@ -1,19 +1,17 @@
-"""Looking at replays: in the Rerun viewer, as a film, or as a picture."""
+"""Replays on screen: in the Rerun viewer, as a film, or as a picture."""
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from household.errors import HouseholdError
 from household.replay.process import LOOPBACK, address, free_ports, start_viewer
 from household.replay.reading import Replay, read_replay
-
-if TYPE_CHECKING:
-    from household.simulation.snapshot import Snapshot
+from household.simulation.snapshot import Snapshot
+from household.view.painter import SHOWN, SIZE, Painter, load_pygame
 
 FPS = 8
-"""Decisions shown in a second of film: 8 times as fast as life, if each takes 1 s."""
+"""Decisions in a second of film: 8 times real time if a decision takes 1 s."""
 
 
 def recordings(path: Path | str) -> tuple[Path, ...]:
@@ -39,7 +37,7 @@ def choose(
     Args:
         path: A file, or a directory such as a study's.
         ask: Asks the person with a text and returns the answer.
-        show: Shows a line.
+        show: Shows a line of text.
 
     Raises:
         HouseholdError: If there is none, or the answer is not one of the numbers.
@@ -69,7 +67,7 @@ def view(
     Args:
         path: The file.
         web: Serves the viewer to a browser on this machine; Ctrl-C ends it.
-        show: Shows a line, such as the page to open.
+        show: Shows a line of text, such as the page to open.
 
     Raises:
         HouseholdError: If the file is no replay or the viewer does not run.
@@ -100,7 +98,7 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
     Args:
         path: The replay.
         out: The picture to write.
-        decision: Of the moment; None: the last.
+        decision: Which moment; None: the last.
 
     Raises:
         HouseholdError: If there is no such moment, or the extra ``render`` is missing.
@@ -110,10 +108,8 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
     chosen = last if decision is None else decision
     if not 0 <= chosen <= last:
         raise HouseholdError(f"{path}: no decision {chosen}; allowed: 0 to {last}")
-    from household.view.painter import SHOWN, Painter, load_pygame
-
     painter = Painter(replay.scenario)
-    # What was just before leaves its touches in the picture.
+    # Recent touches are still seen in the picture.
     before = round(SHOWN / replay.scenario.decision_period)
     for index in range(max(0, chosen - before), chosen):
         painter.remember(replay.snapshot(index))
@@ -125,7 +121,7 @@ def write_video(
     path: Path | str,
     out: Path | str,
     fps: int = FPS,
-    track: Callable[["Replay"], Iterable["Snapshot"]] = iter,
+    track: Callable[[Replay], Iterable[Snapshot]] = iter,
 ) -> None:
     """Makes a film of a replay, without a viewer.
 
@@ -145,8 +141,6 @@ def write_video(
         raise HouseholdError(
             "films need imageio-ffmpeg: pip install 'polite-household[render]'"
         ) from None
-    from household.view.painter import SIZE, Painter
-
     painter = Painter(replay.scenario)
     film = write_frames(str(out), SIZE, fps=fps)
     film.send(None)

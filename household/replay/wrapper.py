@@ -1,7 +1,7 @@
 """The wrapper that records every episode of an environment."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pettingzoo import ParallelEnv
 from pettingzoo.utils.wrappers import BaseParallelWrapper
@@ -9,9 +9,7 @@ from pettingzoo.utils.wrappers import BaseParallelWrapper
 from household.environment import Household
 from household.errors import HouseholdError
 from household.replay.buffer import FLUSH_EVERY
-
-if TYPE_CHECKING:
-    from household.replay.recorder import Recorder
+from household.replay.recorder import Recorder
 
 
 class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
@@ -20,7 +18,8 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
     Args:
         env: A parallel household, also inside other wrappers.
         folder: Where ``episode_00000.rrd`` and so on are written.
-        watch: Shows the running episode in the viewer, or in the one at this address.
+        watch: Whether to show the running episode in the viewer; or the address of the
+            viewer to show it in.
         flush_every: Decisions between writes; a killed process loses no more.
 
     Raises:
@@ -50,8 +49,6 @@ class RecordEpisodes(BaseParallelWrapper[str, Any, int]):
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> Any:  # noqa: ANN401 - PettingZoo's tuple
         """Begins an episode and its file; an unfinished one is closed."""
-        from household.replay.recorder import Recorder
-
         self._finish()
         result = super().reset(seed=seed, options=options)
         self._recorder = Recorder(

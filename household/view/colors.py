@@ -1,4 +1,6 @@
-"""Colors of replays and renderings; told apart by the color-blind."""
+"""Colors of pictures and replays, chosen for the color-blind as well."""
+
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,9 +8,24 @@ from numpy.typing import NDArray
 from household.activity import Activity
 from household.compiled.arrays import Singles
 from household.compiled.jit import compiled
-from household.view.floorplan_svg import ACTIVITY_COLORS
 
 Bytes = NDArray[np.uint8]
+
+ACTIVITY_COLORS = MappingProxyType(
+    {
+        Activity.WORKING: "#0072b2",
+        Activity.READING: "#009e73",
+        Activity.SLEEPING: "#6a51a3",
+        Activity.PLAYING: "#d55e00",
+        Activity.ENTERING: "#666666",
+        Activity.CALLING: "#c2438d",
+        Activity.UNKNOWN: "#aaaaaa",
+    }
+)
+"""Dark enough for text (after Okabe and Ito)."""
+
+ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
+"""The same in the order of the activities' values."""
 
 BEHAVIORS = (
     "#e69f00",
@@ -24,13 +41,13 @@ BEHAVIORS = (
     "#8da0cb",
     "#b3589a",
 )
-"""Of a robot's behaviors, in the order of its actions, over and over; the first are
-those of Okabe and Ito."""
+"""Of robots' behaviors in the order of their indices, repeated if there are more; the
+first are those of Okabe and Ito."""
 
 CARESS, TAP = "#1a9850", "#d73027"
 BELIEVED, TRUE = "#ffb000", "#3ddc84"
-"""Of the line from a touch to what a learner believes that it is about, and to what
-it is really about."""
+"""Of lines from a touch to what a learner believes it to be about, and to what it is
+really about."""
 
 IDLE = "#777777"
 
@@ -42,7 +59,7 @@ def rgb(color: str) -> tuple[int, int, int]:
 
 
 def behavior_color(behavior: int) -> str:
-    """The color of a behavior; -1 is none."""
+    """The color of a behavior, or of none (-1)."""
     return IDLE if behavior < 0 else BEHAVIORS[behavior % len(BEHAVIORS)]
 
 
@@ -53,9 +70,6 @@ def packed(colors: list[str], alpha: int = 255) -> NDArray[np.uint32]:
     )
 
 
-ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
-
-
 STOPS = np.array([0.0, 0.3, 0.7, 1.0])
 HEAT = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43.0]])
 """Shares, and their colors from nearly white over blue to nearly black."""
@@ -63,13 +77,13 @@ HEAT = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43.0]])
 
 @compiled
 def heat(values: Singles) -> Bytes:
-    """Shares in [0, 1] as colors; those between two stops are in proportion.
+    """Shares in [0, 1] as colors, interpolated linearly between `STOPS`.
 
     Args:
         values: Shape (n_moments, n, n).
 
     Returns:
-        The same shape with three more for red, green and blue.
+        Shape (n_moments, n, n, 3): red, green and blue, 0 to 255.
     """
     moments, n, m = values.shape
     colors = np.empty((moments, n, m, 3), np.uint8)

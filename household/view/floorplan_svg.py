@@ -5,33 +5,19 @@ Matplotlib is imported where it is used: a simulation draws nothing.
 
 import textwrap
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from household.activity import Activity
 from household.compiled.arrays import Floats
 from household.config.toml import Point
 from household.errors import HouseholdError
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Room, Wall
 from household.home.geometry import distance_to_box
+from household.view.colors import ACTIVITY_COLORS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-ACTIVITY_COLORS = MappingProxyType(
-    {
-        Activity.WORKING: "#0072b2",
-        Activity.READING: "#009e73",
-        Activity.SLEEPING: "#6a51a3",
-        Activity.PLAYING: "#d55e00",
-        Activity.ENTERING: "#666666",
-        Activity.CALLING: "#c2438d",
-        Activity.UNKNOWN: "#aaaaaa",
-    }
-)
-"""Told apart by the color-blind; dark enough for text (after Okabe and Ito)."""
 
 WALL, FLOOR, LEAF = "#333333", "#faf7f0", "#9c6b30"
 LOW, TALL = "#e6dcc8", "#b09a78"
@@ -40,13 +26,19 @@ SCALE = 0.6
 """Inches of paper per meter of home."""
 
 LETTER, LINE = 0.07, 0.14
-"""Width of a small letter and height of its line, at that scale [m]."""
+"""Width of a small letter and height of a line of text, at that scale [m]."""
 
 BORDER = 0.3
-"""White ground round the walls [m]."""
+"""Width of the white margin around the walls [m]."""
 
 STRIP = 0.7
-"""White ground below that, for the scale bar [m]."""
+"""Height of the white strip below the margin, for the scale bar [m]."""
+
+
+def size_of(plan: FloorPlan) -> Floats:
+    """Width and height of a home's picture, shape (2,) [m]."""
+    size: Floats = plan.upper - plan.lower
+    return size + np.array([2 * BORDER, 2 * BORDER + STRIP])
 
 
 def draw(plan: FloorPlan, path: Path | str) -> None:
@@ -62,7 +54,7 @@ def draw(plan: FloorPlan, path: Path | str) -> None:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    width, height = (plan.upper - plan.lower) + (2 * BORDER, 2 * BORDER + STRIP)
+    width, height = size_of(plan)
     # The text of an SVG stays text and its ids stay the same: small files, small diffs.
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "home"}):
         figure = Figure(figsize=(SCALE * width, SCALE * height), dpi=160)
@@ -81,7 +73,7 @@ def draw_on(plan: FloorPlan, axes: "Axes") -> None:
 
     Args:
         plan: The home.
-        axes: Matplotlib axes; their limits and aspect are set, their frame removed.
+        axes: Matplotlib axes; their limits and aspect are set, their frame is removed.
     """
     for room in plan.rooms:
         _draw_room(room, plan, axes)
@@ -108,7 +100,7 @@ def _draw_room(room: Room, plan: FloorPlan, axes: "Axes") -> None:
 
 
 def _place_for_name(room: Room, plan: FloorPlan) -> Point:
-    """The upper left end of a room's name: high, left, and clear of what is drawn."""
+    """The upper left corner of a room's name: high, left, and on blank floor."""
     from matplotlib.path import Path as Outline
 
     outline = Outline(room.corners)
@@ -116,7 +108,7 @@ def _place_for_name(room: Room, plan: FloorPlan) -> Point:
     size = np.array([LETTER * 1.25 * len(room.name), -LINE])
     for y in np.arange(high - 0.12, low, -0.1):
         for x in np.arange(left + 0.12, right, 0.1):
-            # What is drawn is no smaller than the words are high.
+            # Close enough to miss nothing that is drawn.
             across = np.linspace(0.0, 1.0, 12)
             points = np.array([(x, y) + size * (i, j) for i in across for j in (0, 1)])
             if outline.contains_points(points).all() and _is_blank(points, plan):
@@ -134,7 +126,7 @@ def _is_blank(points: Floats, plan: FloorPlan) -> bool:
 
 
 def _draw_furniture(box: Furniture, axes: "Axes") -> None:
-    """A box, dark if tall; its name inside where there is room for it."""
+    """A box, dark if tall, with its name inside if there is room for it."""
     from matplotlib.patches import Polygon
 
     color = TALL if box.tall else LOW
@@ -150,7 +142,7 @@ def _draw_furniture(box: Furniture, axes: "Axes") -> None:
 
 
 def _wrapped(name: str, width: float) -> str:
-    """A name in as many lines as it needs to keep to a width [m]."""
+    """A name, broken into as many lines as a width demands [m]."""
     return textwrap.fill(name, max(int(width / LETTER), 1), break_long_words=False)
 
 
@@ -176,7 +168,7 @@ def _draw_region(region: Region, axes: "Axes") -> None:
 
 
 def _draw_door(door: Door, thickness: float, axes: "Axes") -> None:
-    """A leaf across the gap: solid where shut, a dotted sill where open."""
+    """A leaf across the gap if it is shut, a dotted sill if it is open."""
     (x, y), style = zip(door.start, door.end, strict=True), (0, (1, 1.6))
     if door.open:
         axes.plot(x, y, color=LEAF, lw=0.8, ls=style, zorder=3)
@@ -191,7 +183,7 @@ def _draw_wall(wall: Wall, thickness: float, axes: "Axes") -> None:
 def _draw_bar(
     start: Point, end: Point, thickness: float, color: str, axes: "Axes"
 ) -> None:
-    """A line of true thickness [m], longer by half of it at either end."""
+    """A line of true thickness [m], longer by half of that at both ends."""
     a, b = np.array(start), np.array(end)
     along = (b - a) / np.hypot(*(b - a)) * thickness / 2
     across = np.array([-along[1], along[0]])

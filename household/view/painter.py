@@ -1,6 +1,6 @@
 """Rendering: a household as a picture of 640 x 480 pixels, with pygame.
 
-Draws snapshots and nothing else, so a replay file is rendered as the episode was.
+Only snapshots are drawn, so that a replay file is rendered as its episode was.
 """
 
 from types import ModuleType
@@ -13,10 +13,12 @@ from household.activity import ACTIVITY_NAMES, Activity
 from household.compiled.arrays import Floats
 from household.errors import HouseholdError
 from household.scenario.scenario import Scenario
+from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import Snapshot
 from household.view.colors import ACTIVITIES, CARESS, TAP, behavior_color, rgb
 from household.view.cone import gaze_cones
-from household.view.raster import rasterize, size_of
+from household.view.floorplan_svg import size_of
+from household.view.raster import rasterize
 
 if TYPE_CHECKING:
     import pygame
@@ -28,7 +30,7 @@ CAPTION = 22
 """Height of the line of text below the plan [pixels]."""
 
 SHOWN = 3.0
-"""How long a touch is to be seen [s]."""
+"""How long a touch stays visible [s]."""
 
 INK, PAPER = (30, 30, 30), (255, 255, 255)
 
@@ -61,8 +63,6 @@ class Painter:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
-
         self._pygame = load_pygame()
         self._pygame.font.init()
         self._scenario = scenario
@@ -77,7 +77,7 @@ class Painter:
         self._recent: dict[str, tuple[float, Point, str]] = {}
 
     def paint(self, snapshot: Snapshot) -> "pygame.Surface":
-        """A picture of a moment; earlier touches are still seen for a while."""
+        """A picture of a moment; touches stay visible for a while."""
         surface = self._pygame.Surface(SIZE)
         surface.fill(PAPER)
         surface.blit(self._home, (self._margin, 0))
@@ -106,10 +106,10 @@ class Painter:
         )
 
     def remember(self, snapshot: Snapshot) -> None:
-        """Keeps the newest touch of each robot; forgets what is long past."""
+        """Remembers the latest touch of each robot, and forgets touches long past."""
         now, first = snapshot.time, len(self._scenario.people)
         for robot, (time, _, _) in list(self._recent.items()):
-            # Later than now: an episode has begun anew.
+            # Later than now means that a new episode has begun.
             if not now - SHOWN < time < now:
                 del self._recent[robot]
         for touch in snapshot.touches:
@@ -157,7 +157,7 @@ class Painter:
     def _draw_body(
         self, surface: "pygame.Surface", snapshot: Snapshot, i: int, color: str
     ) -> None:
-        """A disc with a nose where the head points; a robot's has a square in it."""
+        """A disc with a nose where the head points; a robot has a square in it."""
         draw, robot = self._pygame.draw, i >= len(self._scenario.people)
         at = self._at(snapshot.position[i])
         radius = self._radii[robot] * self._raster.scale
@@ -175,7 +175,7 @@ class Painter:
             draw.rect(surface, INK, box, 2)
 
     def _draw_touches(self, surface: "pygame.Surface") -> None:
-        """A ring round the robot and a sign, green for a caress, red for a tap."""
+        """A ring around the robot and a word, green for a caress, red for a tap."""
         for _, spot, kind in self._recent.values():
             color = rgb(CARESS if kind == "caress" else TAP)
             radius = self._radii[1] * self._raster.scale + 7
@@ -190,7 +190,7 @@ class Painter:
         offset: Point,
         color: tuple[int, int, int] = INK,
     ) -> None:
-        """Writes text on a light ground, centered, inside the picture."""
+        """Writes text on a light background, centered, inside the picture."""
         words = self._font.render(text, True, color)
         box = words.get_rect(midtop=(at[0] + offset[0], at[1] + offset[1] + 3))
         box.clamp_ip(surface.get_rect())
@@ -206,7 +206,7 @@ class Screen:
     Args:
         scenario: The household.
         mode: "human" or "rgb_array".
-        fps: Most pictures in a second in a window.
+        fps: The most pictures that a window shows in a second.
     """
 
     def __init__(self, scenario: Scenario, mode: str, fps: int) -> None:
@@ -236,7 +236,7 @@ class Screen:
 
 
 def _font_path() -> str:
-    """Matplotlib brings a font along; pygame's own is hard to read when small."""
+    """A font of Matplotlib's, as pygame's own is hard to read when small."""
     from matplotlib.font_manager import findfont
 
     return str(findfont("DejaVu Sans"))

@@ -1,4 +1,4 @@
-"""Pictures of homes as pixels, for whatever is drawn on top of them."""
+"""Pictures of homes as pixels, to draw on top of."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -7,12 +7,8 @@ from io import BytesIO
 import numpy as np
 from numpy.typing import NDArray
 
-from household.compiled.arrays import Floats
 from household.home.floorplan import FloorPlan
-from household.view.floorplan_svg import BORDER, SCALE, draw_on
-
-STRIP = 0.7
-"""Below the home, for the scale bar [m]."""
+from household.view.floorplan_svg import BORDER, SCALE, draw_on, size_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,12 +28,6 @@ class Raster:
     scale: float
 
 
-def size_of(plan: FloorPlan) -> Floats:
-    """Width and height of a home's picture, shape (2,) [m]."""
-    size: Floats = plan.upper - plan.lower
-    return size + np.array([2 * BORDER, 2 * BORDER + STRIP])
-
-
 @lru_cache(maxsize=8)
 def rasterize(plan: FloorPlan, scale: float) -> Raster:
     """Draws a home.
@@ -50,7 +40,7 @@ def rasterize(plan: FloorPlan, scale: float) -> Raster:
 
     dpi = scale / SCALE
     width, height = (int(side) for side in np.ceil(size_of(plan) * scale))
-    # Half a pixel more, as Matplotlib rounds down whatever it works out.
+    # Half a pixel more, as Matplotlib rounds down.
     figure = Figure(figsize=((width + 0.5) / dpi, (height + 0.5) / dpi), dpi=dpi)
     draw_on(plan, figure.add_axes((0.0, 0.0, 1.0, 1.0)))
     data = BytesIO()

@@ -10,7 +10,8 @@ import pytest
 from household.config.toml import shipped
 from household.errors import HouseholdError
 from household.home.floorplan import load_floorplan
-from household.view.floorplan_svg import ACTIVITY_COLORS, draw, draw_on
+from household.view.colors import ACTIVITY_COLORS
+from household.view.floorplan_svg import draw, draw_on
 
 
 @pytest.fixture

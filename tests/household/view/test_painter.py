@@ -14,11 +14,11 @@ from household.home.floorplan import load_floorplan
 from household.replay import RecordEpisodes
 from household.replay.viewer import write_png, write_video
 from household.simulation.snapshot import snapshot
-from household.view.colors import behavior_color, rgb
+from household.view.colors import ACTIVITY_COLORS, behavior_color, rgb
 from household.view.cone import RAYS, gaze_cones
-from household.view.floorplan_svg import ACTIVITY_COLORS
+from household.view.floorplan_svg import size_of
 from household.view.painter import SIZE, Painter
-from household.view.raster import rasterize, size_of
+from household.view.raster import rasterize
 
 ASIDE = np.array([0.0, 0.1])
 """From the middle of a body to where neither its nose nor a name is drawn [m]."""
