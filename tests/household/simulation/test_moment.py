@@ -64,6 +64,16 @@ def test_a_copy_of_the_record_holds_the_moment(busy):
     assert (snapshot(busy.simulation).position != before.position).any()
 
 
+def test_going_back_to_a_checkpoint_restores_the_record(busy):
+    checkpoint, before = busy.checkpoint(), busy.simulation.record.copy()
+    for _ in range(10):
+        busy.step(dict.fromkeys(busy.agents, 1))
+    assert busy.simulation.record != before
+    busy.restore(checkpoint)
+    assert busy.simulation.record == before
+    assert busy.simulation.record[DECISION] == busy.decision == 40
+
+
 def test_a_snapshot_has_the_declared_types_and_shapes(busy):
     n_people, n_robots = len(busy.scenario.people), len(busy.scenario.robots)
     kinds, now = recorded_types(busy.scenario), snapshot(busy.simulation)
