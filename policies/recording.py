@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
+from household.environment import Household
+from household.replay.events import Belief, BeliefShare
+from household.replay.recorder import Recorder
+from learners.learner import Credit
 from policies.learning import Entry, Home, LearningRobot, Observer
-
-if TYPE_CHECKING:
-    from household.environment import Household
-    from household.replay.events import Belief
-    from household.replay.recorder import Recorder
-    from learners.learner import Credit
 
 
 class RecordingObserver(Observer):
@@ -41,11 +39,9 @@ class RecordingObserver(Observer):
 
     def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Begins a file; one that is open is closed."""
-        from household.replay.recorder import Recorder
-
         self.close()
         self._entries = dict.fromkeys(robots)
-        household = cast("Household", getattr(env, "unwrapped", env))
+        household = cast(Household, getattr(env, "unwrapped", env))
         self._recorder = Recorder(
             household.simulation,
             self._next_path(),
@@ -102,8 +98,6 @@ class RecordingObserver(Observer):
 
 def _belief(robot: str, credit: Credit) -> Belief:
     """What a learner believes, in the words of the replay."""
-    from household.replay.events import Belief, BeliefShare
-
     shares = {
         share: BeliefShare(time=share.time, behavior=share.action, weight=share.weight)
         for share in credit.shares

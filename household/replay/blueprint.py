@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import rerun.blueprint as rrb
 
 PAPER = (250, 250, 248)
-"""Ground of drawings, also where the viewer is dark."""
+"""Background of drawings, in a dark viewer as well."""
 
 
 def blueprint(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":

@@ -32,19 +32,19 @@ def busy(busy_home, random_actions):
 
 
 def test_the_parts_of_a_simulation_work_on_its_record(busy):
-    life, record = busy.simulation, busy.simulation.record
+    simulation, record = busy.simulation, busy.simulation.record
     held = {
-        "position": life.crowd.position,
-        "heading": life.crowd.heading,
-        "gaze": life.crowd.gaze,
-        "half_view": life.half_view,
-        "activity": life.people.activity,
-        "attends": life.senses.attends,
-        "attention": life.senses.attention,
-        "mood": life.people.feelings.mood,
-        "behavior": life.robots.behaviors,
-        "begun": life.robots.begun,
-        "reward": life.robots.rewards,
+        "position": simulation.crowd.position,
+        "heading": simulation.crowd.heading,
+        "gaze": simulation.crowd.gaze,
+        "half_view": simulation.half_view,
+        "activity": simulation.people.activity,
+        "attends": simulation.senses.attends,
+        "attention": simulation.senses.attention,
+        "mood": simulation.people.feelings.mood,
+        "behavior": simulation.robots.behaviors,
+        "begun": simulation.robots.begun,
+        "reward": simulation.robots.rewards,
     }
     assert held.keys() == FIELDS.keys()
     for name, array in held.items():
@@ -98,7 +98,7 @@ def test_records_hold_several_moments_with_the_moment_as_the_first_axis(busy):
         assert not columns[name][0].any()
 
 
-def test_who_expects_another_shape_or_type_of_a_quantity_is_told(busy):
+def test_expecting_another_shape_or_type_of_a_quantity_is_an_error(busy):
     record = np.zeros((), record_type(busy.scenario))
     n = len(busy.scenario.people) + len(busy.scenario.robots)
     assert field_of(record, "gaze", (n,)).shape == (n,)
