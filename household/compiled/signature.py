@@ -5,10 +5,11 @@ as all other arrays that have an ``"n"``, and two columns. Arrays that belong to
 travel as a record: a `typing.NamedTuple` whose fields are annotated in the same way.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 from inspect import signature
 from numbers import Integral, Real
-from typing import Any, get_args, get_type_hints
+from typing import Any, get_args, get_origin, get_type_hints
 
 import numba
 import numpy as np
@@ -36,6 +37,7 @@ Check = Callable[[object, Sizes], None]
 """Raises an error if an argument is not what it should be."""
 
 
+@lru_cache
 def parameters_of(function: Callable[..., Any]) -> dict[str, Any]:
     """What each parameter of a function, compiled or not, is annotated with."""
     plain = getattr(function, "py_func", function)
@@ -43,12 +45,13 @@ def parameters_of(function: Callable[..., Any]) -> dict[str, Any]:
     return {name: hints.get(name) for name in signature(plain).parameters}
 
 
+@lru_cache
 def kind_of(annotation: Any) -> Any:  # noqa: ANN401
     """The Numba type of what has an annotation.
 
     Args:
-        annotation: A number's, that of an array with its shape, a record's class, or a
-            Numba type already.
+        annotation: A number's, that of an array with its shape, a record's class, a
+            tuple of such, or a Numba type already.
 
     Raises:
         TypeError: If it does not say enough, as that of an array without a shape.
@@ -60,6 +63,8 @@ def kind_of(annotation: Any) -> Any:  # noqa: ANN401
     if _is_record(annotation):
         kinds = tuple(map(kind_of, _fields(annotation).values()))
         return tuple_of(kinds, annotation)
+    if get_origin(annotation) is tuple:
+        return tuple_of(tuple(map(kind_of, get_args(annotation))))
     shape = _shape(annotation)
     if not shape:
         raise TypeError(f"no number, record or array with a shape: {annotation}")
@@ -75,7 +80,13 @@ def check_of(name: str, annotation: Any) -> Check:  # noqa: ANN401
         annotation: As for `kind_of`.
     """
     if _is_record(annotation):
-        return _check_record(name, annotation)
+        fields = _fields(annotation).items()
+        parts = [check_of(f"{name}.{field}", part) for field, part in fields]
+        return _check_parts(name, annotation, parts)
+    if get_origin(annotation) is tuple:
+        items = enumerate(get_args(annotation))
+        parts = [check_of(f"{name}[{k}]", part) for k, part in items]
+        return _check_parts(name, tuple, parts)
     kind = kind_of(annotation)
     if isinstance(kind, types.Array):
         return _check_array(name, kind, _shape(annotation))
@@ -87,15 +98,12 @@ def says_enough(annotation: Any) -> bool:  # noqa: ANN401
     return _is_record(annotation) or annotation in NUMBERS or bool(_shape(annotation))
 
 
-def _check_record(name: str, record: Any) -> Check:  # noqa: ANN401
-    fields = [check_of(f"{name}.{field}", a) for field, a in _fields(record).items()]
-
+def _check_parts(name: str, kind: type, parts: Sequence[Check]) -> Check:
     def check(value: object, sizes: Sizes) -> None:
-        if not isinstance(value, record):
-            raise _error(name, record.__name__, type(value).__name__)
-        items: Iterable[object] = value
-        for check_field, item in zip(fields, items, strict=True):
-            check_field(item, sizes)
+        if not (isinstance(value, tuple) and isinstance(value, kind)):
+            raise _error(name, kind.__name__, type(value).__name__)
+        for check_part, item in zip(parts, value, strict=True):
+            check_part(item, sizes)
 
     return check
 
