@@ -65,7 +65,7 @@ def _filled(now: Any, value: Any) -> bool:  # noqa: ANN401 - anything may be sta
         now.bit_generator.state = value
     elif _has_parts(now):
         # A record of arrays that have grown since is replaced as a whole.
-        return all([_filled(part, kept) for part, kept in zip(now, value, strict=True)])
+        return all(_filled(part, kept) for part, kept in zip(now, value, strict=True))
     else:
         return False
     return True
