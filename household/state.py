@@ -15,8 +15,8 @@ class Stateful:
 
     Attributes:
         STATE: Names of the attributes that do. They may hold arrays, random generators,
-            other stateful things, and lists and tuples of those; whatever else they
-            hold is replaced as a whole, so that nobody else may hold on to it.
+            other stateful things, and lists, tuples and records of those; whatever else
+            they hold is replaced as a whole, so that nobody else may hold on to it.
     """
 
     STATE: ClassVar[tuple[str, ...]]
@@ -50,7 +50,8 @@ def _taken(value: Any) -> Any:  # noqa: ANN401 - anything may be state
     if isinstance(value, np.random.Generator):
         return value.bit_generator.state
     if _has_parts(value):
-        return [_taken(part) for part in value]
+        parts = [_taken(part) for part in value]
+        return value._make(parts) if hasattr(value, "_make") else parts
     return value
 
 
@@ -63,8 +64,8 @@ def _filled(now: Any, value: Any) -> bool:  # noqa: ANN401 - anything may be sta
     elif isinstance(now, np.random.Generator):
         now.bit_generator.state = value
     elif _has_parts(now):
-        for part, kept in zip(now, value, strict=True):
-            _filled(part, kept)
+        # A record of arrays that have grown since is replaced as a whole.
+        return all(_filled(part, kept) for part, kept in zip(now, value, strict=True))
     else:
         return False
     return True

@@ -1,13 +1,16 @@
-"""Solid ground: bodies stay out of walls and furniture, whatever pushes them.
+"""Collisions with obstacles: bodies stay out of walls and furniture.
 
 Physics engines let a fast body sink into a wall for a tick before they push it back;
-in a crowd that can be a hand's breadth. This sets it right after the engine's ticks.
+in a crowd that can be some 10 cm. This corrects it after the engine's ticks.
 """
+
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from household.compiled.arrays import Floats, Indices
 from household.compiled.jit import compiled
+from household.home.floorplan import FloorPlan
 from household.home.geometry import crosses
 
 Point = tuple[float, float]
@@ -17,69 +20,91 @@ ROUNDS = 3
 """How often a body is pushed out: a corner pushes it from one side to the other."""
 
 PUSHED = 0.5
-"""How far walls push a body at most [m]: only what is closer is looked at, and who
-would be pushed further goes back."""
+"""How far obstacles push a body at most [m]: only those closer to it are looked at, and
+a body that would be pushed further goes back."""
 
 WEDGED = 0.005
-"""Who still overlaps by more after that [m] was pressed to where it does not fit."""
+"""A body that still overlaps by more after that [m] was pressed to where it does not
+fit."""
+
+
+class Obstacles(NamedTuple):
+    """The walls and the sides of the furniture of a home.
+
+    Attributes:
+        segments: Shape (n_segments, 4), rows of x1, y1, x2, y2 [m].
+        thickness: Half the thickness of each, shape (n_segments,) [m].
+        boxes: Left, lower, right and upper edges of the box round each, shape
+            (4, n_segments) [m].
+    """
+
+    segments: Annotated[Floats, "n_segments", 4]
+    thickness: Annotated[Floats, "n_segments"]
+    boxes: Annotated[Floats, 4, "n_segments"]
+
+
+def obstacles_of(plan: FloorPlan) -> Obstacles:
+    """The obstacles of a home."""
+    segments = plan.solid_segments
+    walls = len(plan.wall_segments)
+    thickness = np.zeros(len(segments))
+    thickness[:walls] = plan.wall_thickness / 2
+    one, other = segments[:, :2].T, segments[:, 2:].T
+    boxes = np.array([*np.minimum(one, other), *np.maximum(one, other)])
+    return Obstacles(segments, thickness, boxes)
 
 
 @compiled
 def keep_out(
-    radius: Floats,
-    segments: Floats,
-    thickness: Floats,
-    boxes: Floats,
-    before: Floats,
-    after: Floats,
+    radius: Annotated[Floats, "n"],
+    obstacles: Obstacles,
+    before: Annotated[Floats, "n", 2],
+    after: Annotated[Floats, "n", 2],
 ) -> None:
-    """Puts bodies back that sank into something solid.
+    """Puts bodies back that overlap an obstacle.
 
     A body whose middle went through a segment goes back to where it was; one that
     overlaps a segment is pushed out along the shortest way; one that was pressed into
     a gap too narrow for it, or through it, goes back, too.
 
     Args:
-        radius: Shape (n,) [m].
-        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
-        thickness: Half thickness of each segment, shape (m,) [m].
-        boxes: Of the segments, from `boxes_round`, shape (4, m) [m].
-        before: Where the bodies were, out of everything solid, shape (n, 2) [m].
+        radius: Of each body, shape (n,) [m].
+        obstacles: Of the home.
+        before: Where the bodies were, clear of all obstacles, shape (n, 2) [m].
         after: Where the engine moved them, shape (n, 2) [m]; changed in place.
     """
     for i in range(len(after)):
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
-        if a == b or _is_clear(a, b, radius[i], thickness, boxes):
+        if a == b or _is_clear(a, b, radius[i], obstacles):
             continue
-        close = _close_to(a, b, radius[i] + PUSHED, thickness, boxes)
-        moved = _goes_through(a, b, segments, close)
+        close = _close_to(a, b, radius[i] + PUSHED, obstacles)
+        moved = _goes_through(a, b, obstacles, close)
         if moved:
             b = a
         for _ in range(ROUNDS):
-            pushed = _pushed_out(b, radius[i], segments, thickness, close)
+            pushed = _pushed_out(b, radius[i], obstacles, close)
             if pushed == b:
                 break
             b, moved = pushed, True
         # A push may lead into a gap too narrow, through the other side of it, or to
-        # where nobody has looked.
+        # segments that were not looked at.
         aside = max(abs(b[0] - after[i, 0]), abs(b[1] - after[i, 1]))
         if moved and (
             (b != a and aside > PUSHED)
-            or _goes_through(a, b, segments, close)
-            or not _fits(b, radius[i], segments, thickness, close)
+            or _goes_through(a, b, obstacles, close)
+            or not _fits(b, radius[i], obstacles, close)
         ):
             b = a
         after[i, 0], after[i, 1] = b
 
 
 @compiled
-def _is_clear(
-    a: Point, b: Point, radius: float, thickness: Floats, boxes: Floats
-) -> bool:
+def _is_clear(a: Point, b: Point, radius: float, obstacles: Obstacles) -> bool:
     """Whether a body that goes from a to b stays away from the boxes of all segments.
 
-    It nearly always does.
+    This is nearly always so.
     """
+    thickness, boxes = obstacles.thickness, obstacles.boxes
     box, near = _box_round(a, b), False
     for k in range(len(thickness)):
         near |= _near(box, radius + thickness[k], boxes, k)
@@ -94,10 +119,9 @@ def _away(point: Point, one: Point, other: Point) -> float:
 
 
 @compiled
-def _close_to(
-    a: Point, b: Point, reach: float, thickness: Floats, boxes: Floats
-) -> Indices:
-    """The segments whose boxes are within reach of the way from a to b."""
+def _close_to(a: Point, b: Point, reach: float, obstacles: Obstacles) -> Indices:
+    """Indices of the segments whose boxes are within reach of the line from a to b."""
+    thickness, boxes = obstacles.thickness, obstacles.boxes
     box, near = _box_round(a, b), np.empty(len(thickness), np.bool_)
     for k in range(len(thickness)):
         near[k] = _near(box, reach + thickness[k], boxes, k)
@@ -110,19 +134,18 @@ def _close_to(
 
 
 @compiled
-def _goes_through(a: Point, b: Point, segments: Floats, close: Indices) -> bool:
-    """Whether the way from a to b crosses one of the segments that are close."""
+def _goes_through(a: Point, b: Point, obstacles: Obstacles, close: Indices) -> bool:
+    """Whether the line from a to b crosses one of the segments that are close."""
     crossed = False
     for k in close:
-        crossed |= crosses(*a, *b, segments[k])
+        crossed |= crosses(*a, *b, obstacles.segments[k])
     return crossed
 
 
 @compiled
-def _pushed_out(
-    b: Point, radius: float, segments: Floats, thickness: Floats, close: Indices
-) -> Point:
+def _pushed_out(b: Point, radius: float, obstacles: Obstacles, close: Indices) -> Point:
     """Where a body comes to be that is pushed out of one segment after the other."""
+    segments, thickness = obstacles.segments, obstacles.thickness
     x, y = b
     for k in close:
         least = radius + thickness[k]
@@ -135,10 +158,9 @@ def _pushed_out(
 
 
 @compiled
-def _fits(
-    b: Point, radius: float, segments: Floats, thickness: Floats, close: Indices
-) -> bool:
-    """Whether a body overlaps no segment, but for a little."""
+def _fits(b: Point, radius: float, obstacles: Obstacles, close: Indices) -> bool:
+    """Whether a body overlaps no segment by more than `WEDGED`."""
+    segments, thickness = obstacles.segments, obstacles.thickness
     for k in close:
         if _away(b, *_ends(segments[k])) < radius + thickness[k] - WEDGED:
             return False
@@ -180,16 +202,3 @@ def _near(box: Box, reach: float, boxes: Floats, k: int) -> bool:
         & (box[2] >= boxes[0, k] - reach)
         & (box[3] >= boxes[1, k] - reach)
     )
-
-
-def boxes_round(segments: Floats) -> Floats:
-    """The box round each segment.
-
-    Args:
-        segments: Shape (m, 4), rows of x1, y1, x2, y2 [m].
-
-    Returns:
-        Shape (4, m): left, lower, right and upper edges [m].
-    """
-    one, other = segments[:, :2].T, segments[:, 2:].T
-    return np.array([*np.minimum(one, other), *np.maximum(one, other)])

@@ -5,115 +5,78 @@ engine. Most steps of most walks are such, and each call of the engine costs mor
 this whole loop.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
-from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
-from household.motion.collision import keep_out
+from household.motion.bodies import Bodies, Progress, Pursuit
+from household.motion.collision import Obstacles, keep_out
+from household.motion.paths import Paths
 from household.motion.progress import follow_up, within_reach
 from household.motion.steering import MARGIN, steer
 
 
+class Ticks(NamedTuple):
+    """How time passes in a steering period.
+
+    Attributes:
+        number: Of ticks of the physics engine in each period.
+        duration: Of each tick [s].
+    """
+
+    number: int
+    duration: float
+
+
 @compiled
 def walk_freely(
-    position: Floats,
-    velocity: Floats,
-    heading: Floats,
-    walking: Mask,
-    nearest: Floats,
-    stalled: Floats,
-    settled: Floats,
-    speed: Floats,
-    radius: Floats,
-    segments: Floats,
-    thickness: Floats,
-    boxes: Floats,
-    ticks: int,
-    tick: float,
-    points: Floats,
-    at: Indices,
-    count: Indices,
-    target: Indices,
-    reach: float,
+    bodies: Bodies,
+    progress: Progress,
+    obstacles: Obstacles,
+    ticks: Ticks,
+    paths: Paths,
+    pursuit: Pursuit,
     periods: int,
-    pressed: bool,
 ) -> tuple[int, bool]:
     """Lets walkers walk until somebody has something to decide, or may touch another.
 
     Args:
-        position: Shape (n, 2) [m]; changed in place, as all that follow up to
-            ``settled``, and ``at``, where `steer` and `follow_up` say so.
-        velocity: Of the last period, shape (n, 2) [m/s].
-        heading: Shape (n,) [rad].
-        walking: Shape (n,).
-        nearest: How near each came to its waypoint, shape (n,) [m].
-        stalled: Since how long each came no nearer, (n,) [s].
-        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
-        speed: Of each that walks, shape (n,) [m/s].
-        radius: Of each body, shape (n,) [m].
-        segments: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
-        thickness: Its half thickness, shape (m,) [m].
-        boxes: From `boxes_round`, shape (4, m) [m].
-        ticks: Of the engine in each steering period.
-        tick: Length of each [s].
-        points: From `Paths`, shape (n, most, 2) [m].
-        at: From `Paths`, shape (n,).
-        count: From `Paths`, shape (n,).
-        target: Whom each of the first bodies is after, `NOBODY` for none.
-        reach: Distance from its target at which a body has something to decide [m].
+        bodies: Moved in place.
+        progress: Brought up to date in place.
+        obstacles: Of the home.
+        ticks: Of each steering period.
+        paths: Which waypoint each walks to is changed in place.
+        pursuit: A body that comes within reach of its target has something to decide.
         periods: How many steering periods to walk at most.
-        pressed: Whether bodies press each other that stand.
 
     Returns:
-        How many periods have passed, and whether anybody is stuck. If no period has
-        passed, the engine has to be asked.
+        How many periods have passed, and whether anybody is stuck. If fewer have passed
+        although nobody has anything to decide, bodies may touch in the next period: all
+        have their velocities for it, and the engine has to move them.
     """
-    period = ticks * tick
-    before, near_quarry = np.empty_like(position), np.empty(len(target), np.bool_)
+    position, velocity = bodies.position, bodies.velocity
+    period = ticks.number * ticks.duration
+    before = np.empty_like(position)
+    near_target = np.empty(len(pursuit.target), np.bool_)
     for passed in range(periods):
-        steer(
-            position,
-            walking,
-            stalled,
-            speed,
-            radius,
-            period,
-            heading,
-            velocity,
-            points,
-            at,
-        )
-        if pressed or not _is_clear_of_others(position, velocity, radius, period):
+        steer(bodies, progress, period, paths)
+        if not _is_clear_of_others(bodies, period):
             return passed, False
         before[:] = position
-        for _ in range(ticks):
-            position += velocity * tick
-        keep_out(radius, segments, thickness, boxes, before, position)
-        stuck = follow_up(
-            walking,
-            nearest,
-            stalled,
-            settled,
-            radius,
-            period,
-            position,
-            points,
-            at,
-            count,
-        )
-        if stuck or within_reach(position, target, reach, near_quarry):
+        for _ in range(ticks.number):
+            position += velocity * ticks.duration
+        keep_out(bodies.radius, obstacles, before, position)
+        stuck = follow_up(bodies, progress, period, paths)
+        if stuck or within_reach(position, pursuit.target, pursuit.reach, near_target):
             return passed + 1, stuck
     return periods, False
 
 
 @compiled
-def _is_clear_of_others(
-    position: Floats, velocity: Floats, radius: Floats, period: float
-) -> bool:
-    """Whether nobody who walks comes to touch anybody.
-
-    Two that part from each other may still touch.
-    """
+def _is_clear_of_others(bodies: Bodies, period: float) -> bool:
+    """Whether no walker comes to touch another body; bodies that part may touch."""
+    radius, position, velocity = bodies.radius, bodies.position, bodies.velocity
     xs, ys = position[:, 0].copy(), position[:, 1].copy()
     us, vs = velocity[:, 0].copy(), velocity[:, 1].copy()
     for i in range(len(position)):

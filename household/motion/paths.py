@@ -1,135 +1,125 @@
-"""Ways: the waypoints that everybody still has before it."""
+"""Paths: the waypoints that everybody walks to, one after the other."""
 
 from collections.abc import Sequence
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.compiled.arrays import NOBODY, Floats, Indices
 from household.compiled.jit import compiled
 from household.config.toml import Point
-from household.home.navigation.grid import Cells, Grid
-from household.home.navigation.path import ROOM, find_way
-from household.home.navigation.search import Turns
-from household.state import Stateful
+from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
+from household.motion.bodies import Bodies, Goals, Progress
 
 
-class Paths(Stateful):
-    """The way that each body is on, or was on last.
+class Paths(NamedTuple):
+    """The present or latest path of each body.
 
     Attributes:
-        points: The waypoints of each way, shape (n, most, 2) [m].
-        at: Index of the waypoint that each is heading for, shape (n,).
-        count: How many waypoints the way of each has, shape (n,).
+        points: Waypoints, with room for as many on each path, shape (n, most, 2) [m].
+        at: Index of the waypoint that each body is walking to, shape (n,).
+        length: How many waypoints the path of each has, shape (n,).
     """
 
-    points: Floats
-    at: Indices
-    count: Indices
+    points: Annotated[Floats, "n", "most", 2]
+    at: Annotated[Indices, "n"]
+    length: Annotated[Indices, "n"]
 
-    STATE = ("points", "at", "count")
 
-    def __init__(self, n: int) -> None:
-        self.points = np.zeros((n, ROOM, 2))
-        self.at = np.zeros(n, np.intp)
-        self.count = np.zeros(n, np.intp)
+def no_paths(n: int) -> Paths:
+    """Paths without waypoints for so many bodies."""
+    return Paths(np.zeros((n, ROOM, 2)), np.zeros(n, np.intp), np.zeros(n, np.intp))
 
-    def take(self, i: int, way: Sequence[Point]) -> None:
-        """Puts a body at the beginning of a way."""
-        self.make_room(len(way))
-        self.points[i, : len(way)] = way
-        self.at[i], self.count[i] = 0, len(way)
 
-    def make_room(self, most: int) -> None:
-        """Makes room for so many waypoints on each way."""
-        more = max(0, most - self.points.shape[1])
-        if more:
-            self.points = np.pad(self.points, ((0, 0), (0, more), (0, 0)))
+def with_room(paths: Paths, most: int) -> Paths:
+    """The same paths, with room for at least so many waypoints on each."""
+    more = max(0, most - paths.points.shape[1])
+    if not more:
+        return paths
+    return paths._replace(points=np.pad(paths.points, ((0, 0), (0, more), (0, 0))))
 
-    def goal(self, i: int) -> Point:
-        """Where the way of a body ends [m]."""
-        x, y = self.points[i, self.count[i] - 1].tolist()
-        return x, y
+
+def with_path(paths: Paths, i: int, waypoints: Sequence[Point]) -> Paths:
+    """The same paths, but that one body is at the beginning of another.
+
+    What has room is changed in place.
+
+    Args:
+        paths: Of all bodies.
+        i: Index of the body.
+        waypoints: At least one [m].
+    """
+    paths = with_room(paths, len(waypoints))
+    paths.points[i, : len(waypoints)] = waypoints
+    paths.at[i], paths.length[i] = 0, len(waypoints)
+    return paths
+
+
+def end_of(paths: Paths, i: int) -> Point:
+    """Where the path of a body ends [m]."""
+    x, y = paths.points[i, paths.length[i] - 1].tolist()
+    return x, y
 
 
 @compiled
 def set_out(
-    free: Grid,
-    parts: Cells,
-    corner: Floats,
-    scratch: Cells,
-    kept_at: Cells,
-    kept: Turns,
-    n_kept: Indices,
-    position: Floats,
-    walking: Mask,
-    nearest: Floats,
-    stalled: Floats,
-    settled: Floats,
-    walk_began: Floats,
-    lost: Mask,
-    points: Floats,
-    at: Indices,
-    count: Indices,
-    goals: Floats,
-    target: Indices,
+    navigation: Navigation,
+    bodies: Bodies,
+    progress: Progress,
+    paths: Paths,
+    goals: Goals,
     now: float,
-    places: bool,
+    keep: bool,
 ) -> int:
-    """Sends everybody on a walk who is lost; to where no way leads, nobody sets out.
+    """Sends everybody on a walk who needs a new path.
+
+    A body to whose goal no path leads stands still. At the end, `Progress.needs_replan`
+    holds for those bodies whose path has more waypoints than there is room for.
 
     Args:
-        free: As in `find_way`, like all that follow up to ``n_kept``.
-        parts: Shape (width, height).
-        corner: Shape (2,) [m].
-        scratch: Shape (25, n_cells).
-        kept_at: Shape (n_cells,).
-        kept: Shape (n_goals, n_cells).
-        n_kept: Shape (1,).
-        position: Shape (n, 2) [m].
-        walking: Shape (n,); changed in place, like all that follow up to ``count``.
-        nearest: As in `follow_up`, shape (n,) [m].
-        stalled: As in `follow_up`, shape (n,) [s].
-        settled: The goal that others kept each from, NaN if none, shape (n, 2) [m].
-        walk_began: Shape (n,) [s].
-        lost: Who is to set out, shape (n,); in the end, who has not for lack of room.
-        points: From `Paths`, like the two that follow, shape (n, most, 2) [m].
-        at: Shape (n,).
-        count: Shape (n,).
-        goals: Where to, for each of the first m bodies, shape (m, 2) [m].
-        target: Whom each goes after instead, `NOBODY` for none, shape (m,).
+        navigation: Of the home; the paths that it keeps are brought up to date.
+        bodies: Who walks and who stands is changed in place.
+        progress: Changed in place for those who set out.
+        paths: Likewise.
+        goals: Where they want to be.
         now: [s].
-        places: Whether goals are where others will want to be, too.
+        keep: Whether to keep the paths to the goals for others who walk there; not done
+            for targets.
 
     Returns:
-        How many waypoints the longest way has.
+        How many waypoints the longest new path has, 0 if there is none.
     """
-    most = 0
-    for i in range(len(goals)):
-        if not lost[i]:
+    most, walking, needs_replan = 0, bodies.walking, progress.needs_replan
+    for i in range(len(goals.target)):
+        if not needs_replan[i]:
             continue
-        x, y = goals[i] if target[i] == NOBODY else position[target[i]]
-        found = find_way(
-            free,
-            parts,
-            corner,
-            scratch,
-            kept_at,
-            kept,
-            n_kept,
-            (position[i, 0], position[i, 1]),
-            (x, y),
-            points[i],
-            at[i],
-            count[i] if walking[i] else at[i],
-            places and target[i] == NOBODY,
-        )
-        lost[i] = found > points.shape[1]
+        here = bodies.position[i, 0], bodies.position[i, 1]
+        goal = goal_of(goals, i, bodies.position)
+        left = paths.length[i] if walking[i] else paths.at[i]
+        path = Waypoints(paths.points[i], paths.at[i], left)
+        kept = keep and goals.target[i] == NOBODY
+        found = find_path(navigation, here, goal, path, kept)
+        needs_replan[i] = found > paths.points.shape[1]
         if found == 0:
             walking[i] = False
-        elif not lost[i]:
+        elif not needs_replan[i]:
             if not walking[i]:
-                walking[i], walk_began[i] = True, now
-            at[i], count[i] = 0, found
-            nearest[i], stalled[i], settled[i] = np.inf, 0.0, np.nan
+                walking[i], progress.began[i] = True, now
+            paths.at[i], paths.length[i] = 0, found
+            progress.nearest[i], progress.stalled[i] = np.inf, 0.0
+            progress.settled[i] = np.nan
         most = max(most, found)
     return most
+
+
+@compiled
+def goal_of(goals: Goals, i: int, position: Floats) -> Point:
+    """Where one of the bodies with a goal wants to be [m].
+
+    Args:
+        goals: Of the first bodies.
+        i: Index of the body.
+        position: Of all bodies, shape (n, 2) [m].
+    """
+    x, y = goals.point[i] if goals.target[i] == NOBODY else position[goals.target[i]]
+    return x, y

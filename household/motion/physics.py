@@ -15,9 +15,9 @@ import pymunk
 from pymunk.batch import BodyFields, Buffer, get_space_bodies, set_space_bodies
 
 from household.compiled.arrays import Floats
-from household.compiled.jit import FLOATS_2D, bind
+from household.compiled.jit import bind
 from household.home.floorplan import FloorPlan
-from household.motion.collision import boxes_round, keep_out
+from household.motion.collision import keep_out, obstacles_of
 
 SLOP = 0.002
 """How deep touching bodies may overlap [m]; the engine's own 0.1 is made for pixels."""
@@ -46,9 +46,7 @@ class Physics:
     Attributes:
         velocity: What each body sets out with when it next moves, for the owner to
             fill in, shape (n, 2) [m/s].
-        solid: Everything solid, shape (m, 4), rows of x1, y1, x2, y2 [m].
-        thickness: Its half thickness, shape (m,) [m].
-        boxes: Round it, from `boxes_round`, shape (4, m) [m].
+        obstacles: The walls and the furniture.
     """
 
     def __init__(self, plan: FloorPlan, radius: Floats, mass: Floats) -> None:
@@ -60,18 +58,9 @@ class Physics:
         self._add_home(plan)
         traits = zip(radius.tolist(), mass.tolist(), strict=True)
         self._bodies = [self._add_body(*each) for each in traits]
-        self.solid = plan.solid_segments
-        self.boxes = boxes_round(self.solid)
-        walls = len(plan.wall_segments)
-        self.thickness = np.zeros(len(self.solid))
-        self.thickness[:walls] = plan.wall_thickness / 2
+        self.obstacles = obstacles_of(plan)
         self._keep_out = bind(
-            keep_out,
-            np.asarray(radius, dtype=np.float64),
-            self.solid,
-            self.thickness,
-            self.boxes,
-            then=(FLOATS_2D, FLOATS_2D),
+            keep_out, np.asarray(radius, dtype=np.float64), self.obstacles
         )
         rows = self._batch_rows()
         self._buffer, batch = self._batch()
@@ -117,7 +106,7 @@ class Physics:
         """Moves every body for some ticks.
 
         Args:
-            position: Where each sets out from, out of everything solid, (n, 2) [m].
+            position: Where each sets out from, clear of all obstacles, (n, 2) [m].
             tick: Length of a tick [s].
             ticks: How many.
 

@@ -10,6 +10,9 @@ import numpy as np
 
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
+from household.config.toml import Point
+from household.motion.bodies import Bodies, Progress
+from household.motion.paths import Paths
 
 COMFORT = 0.5
 """Gap between bodies below which a walker gives way [m] (our choice)."""
@@ -18,10 +21,10 @@ MARGIN = 0.001
 """Bodies that come this near to each other [m] are left to the engine."""
 
 ATTEMPTS = 3
-"""How often a walker tries to go round everybody who is close, before it waits."""
+"""How often a walker tries to get round all who are close, before it waits."""
 
 PUSHY = 0.5
-"""Time without progress after which a walker pushes who stands in its way [s]."""
+"""Time without progress after which a walker pushes those in its way [s]."""
 
 
 class Close(NamedTuple):
@@ -29,7 +32,7 @@ class Close(NamedTuple):
 
     Attributes:
         near: Whether each body is close.
-        who: Indices of those who are; the arrays that follow are in their order.
+        who: Indices of those who are; ``x``, ``y`` and ``gap`` are in their order.
         x: From the middle of the walker to theirs [m].
         y: Likewise.
         gap: Between the walker and each [m].
@@ -43,18 +46,7 @@ class Close(NamedTuple):
 
 
 @compiled
-def steer(
-    position: Floats,
-    walking: Mask,
-    stalled: Floats,
-    speed: Floats,
-    radius: Floats,
-    period: float,
-    heading: Floats,
-    velocity: Floats,
-    points: Floats,
-    at: Indices,
-) -> None:
+def steer(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> None:
     """Sets velocities that lead walkers to their waypoints, keeping to the right.
 
     A walker slows down only to end on its waypoint. Where a body is in its way, it
@@ -63,18 +55,14 @@ def steer(
     while.
 
     Args:
-        position: Shape (n, 2) [m].
-        walking: Shape (n,).
-        stalled: Since how long each came no nearer, (n,) [s].
-        speed: Of each that walks, shape (n,) [m/s].
-        radius: Of each body, shape (n,) [m].
+        bodies: Their velocities are set, to 0 for those who stand; walkers come to face
+            where they go.
+        progress: Of their walks.
         period: Time until the next steering [s].
-        heading: Where every body faces, shape (n,) [rad]; walkers come to face, in
-            place, where they go.
-        velocity: Set to what each walks with, 0 who stands, shape (n, 2) [m/s].
-        points: From `Paths`, shape (n, most, 2) [m].
-        at: From `Paths`, shape (n,).
+        paths: Of all bodies.
     """
+    position, heading, velocity = bodies.position, bodies.heading, bodies.velocity
+    points, at = paths.points, paths.at
     velocity[:] = 0.0
     n = len(position)
     close = Close(
@@ -87,7 +75,7 @@ def steer(
     # Plain rows of numbers: the processor looks at several at once.
     xs, ys = position[:, 0].copy(), position[:, 1].copy()
     for i in range(n):
-        if not walking[i]:
+        if not bodies.walking[i]:
             continue
         dx, dy = points[i, at[i], 0] - xs[i], points[i, at[i], 1] - ys[i]
         away = np.sqrt(dx * dx + dy * dy)
@@ -95,18 +83,18 @@ def steer(
             continue
         dx /= away
         dy /= away
-        count = _find_close(xs, ys, radius, i, close)
+        count = _find_close(xs, ys, bodies.radius, i, close)
         turn = 0.0
         for k in range(count):
             ahead = close.x[k] * dx + close.y[k] * dy
             if 0.0 < ahead < away and close.gap[k] < COMFORT:
                 turn = max(turn, 1.0 - max(close.gap[k], 0.0) / COMFORT)
-        pace = min(speed[i], away / period)
+        pace = min(bodies.speed[i], away / period)
         vx, vy = dx + turn * dy, dy - turn * dx
         norm = np.sqrt(vx * vx + vy * vy)
         vx, vy = pace * vx / norm, pace * vy / norm
-        if stalled[i] < PUSHY:
-            vx, vy = _given_way(walking, radius, period, i, close, count, vx, vy)
+        if progress.stalled[i] < PUSHY:
+            vx, vy = _given_way(bodies, i, period, close, count, (vx, vy))
         velocity[i, 0], velocity[i, 1] = vx, vy
         if vx != 0.0 or vy != 0.0:
             heading[i] = np.arctan2(vy, vx)
@@ -114,7 +102,7 @@ def steer(
 
 @compiled
 def _find_close(xs: Floats, ys: Floats, radius: Floats, i: int, close: Close) -> int:
-    """Lists who is close to a body, or nearly so; returns how many that are."""
+    """Lists the bodies that are close to one, and returns how many these are."""
     for j in range(len(xs)):
         reach = COMFORT + radius[i] + radius[j]
         close.near[j] = (abs(xs[j] - xs[i]) <= reach) & (abs(ys[j] - ys[i]) <= reach)
@@ -131,20 +119,26 @@ def _find_close(xs: Floats, ys: Floats, radius: Floats, i: int, close: Close) ->
 
 @compiled
 def _given_way(
-    walking: Mask,
-    radius: Floats,
-    period: float,
-    i: int,
-    close: Close,
-    count: int,
-    vx: float,
-    vy: float,
-) -> tuple[float, float]:
-    """Takes from a velocity what would lead into others; who is hemmed in waits.
+    bodies: Bodies, i: int, period: float, close: Close, count: int, wanted: Point
+) -> Point:
+    """Takes from a velocity what would lead into others; 0 where all sides are blocked.
 
     Of two walkers each may use half the gap between them, so that both together cannot
     meet whatever the other does (reciprocal avoidance, van den Berg et al. 2011).
+
+    Args:
+        bodies: All of them.
+        i: Index of the walker.
+        period: Time until the next steering [s].
+        close: Who is close to it; changed in place.
+        count: How many are close.
+        wanted: The velocity with nobody in the way [m/s].
+
+    Returns:
+        The velocity [m/s].
     """
+    radius, walking = bodies.radius, bodies.walking
+    vx, vy = wanted
     for k in range(count):
         j, gap = close.who[k], close.gap[k]
         away, left = gap + radius[i] + radius[j], gap - 2 * MARGIN

@@ -13,7 +13,8 @@ import numpy as np
 from household.compiled.arrays import Floats
 from household.compiled.jit import FLOATS_2D, bind
 from household.feedback import Feedback
-from household.motion.crowd import BodyParams, Crowd
+from household.motion.bodies import BodyParams
+from household.motion.crowd import Crowd
 from household.observation.kernel import View
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feelings import misread
@@ -97,7 +98,7 @@ class Simulation(Stateful):
         self._n_people = n_people
         self.crowd = Crowd(
             scenario.plan,
-            build=BodyParams(
+            params=BodyParams(
                 np.array([PERSON_RADIUS] * n_people + [ROBOT_RADIUS] * n_robots),
                 np.array([PERSON_MASS] * n_people + [ROBOT_MASS] * n_robots),
                 np.array(

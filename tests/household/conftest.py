@@ -3,7 +3,8 @@ import pytest
 
 from household import household_v0
 from household.home.geometry import distance_to_box, distance_to_segments
-from household.motion.crowd import BodyParams, Crowd
+from household.motion.bodies import BodyParams
+from household.motion.crowd import Crowd
 from household.simulation.simulation import PERSON_MASS, PERSON_RADIUS
 
 BUSY_HOME = """

@@ -1,17 +1,19 @@
-"""The grid of free space: where a body fits, and what is in a straight line.
+"""The grid of free space: where a body fits, and what can be walked straight.
 
 Where a cell is one number, it is its index in ``free.ravel()``.
 """
 
+from typing import Annotated, NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
-from household.compiled.arrays import Floats
+from household.compiled.arrays import Floats, Mask
 from household.compiled.jit import compiled
 from household.config.toml import Point
 
-Grid = NDArray[np.bool_]
 Cells = NDArray[np.int32]
+"""A whole number for each cell."""
 
 CELL = 0.1
 """Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
@@ -26,17 +28,27 @@ NOWHERE = -1
 """In place of a cell."""
 
 
+class Grid(NamedTuple):
+    """The free space of a home.
+
+    Attributes:
+        free: Whether a body fits in each cell, shape (width, height).
+        parts: Label of the connected part of each cell, shape (width, height); the
+            very first cell is outdoors.
+        corner: Left and lower edge of the grid, shape (2,) [m].
+    """
+
+    free: Annotated[Mask, "width", "height"]
+    parts: Annotated[Cells, "width", "height"]
+    corner: Annotated[Floats, 2]
+
+
 @compiled
-def ends_of(
-    free: Grid, parts: Cells, corner: Floats, start: Point, goal: Point
-) -> tuple[int, int, Point]:
+def ends_of(grid: Grid, start: Point, goal: Point) -> tuple[int, int, Point]:
     """Where a walk begins and ends.
 
     Args:
-        free: The grid, shape (width, height).
-        parts: Label of the connected part of each cell, shape (width, height); the
-            very first is outdoors.
-        corner: Of the grid [m].
+        grid: The free space.
         start: Where it begins [m].
         goal: Where it should end [m]; where no body fits, it ends at the middle of
             the nearest cell where one does.
@@ -45,11 +57,12 @@ def ends_of(
         The first cell and the last, the same for a walk straight there, `NOWHERE`
         for none; and the point where it ends [m].
     """
+    free, parts, corner = grid.free, grid.parts, grid.corner
     a, b = cell_of(free, corner, start), cell_of(free, corner, goal)
-    if not _is_indoors(free, parts, a):
-        a = _nearest(free, parts, corner, start)
-    if not _is_indoors(free, parts, b):
-        b = _nearest(free, parts, corner, goal)
+    if not _is_indoors(grid, a):
+        a = _nearest(grid, start)
+    if not _is_indoors(grid, b):
+        b = _nearest(grid, goal)
         goal = corner[0] + (b[0] + 0.5) * CELL, corner[1] + (b[1] + 0.5) * CELL
     if parts[a] != parts[b]:
         return NOWHERE, NOWHERE, goal
@@ -66,7 +79,7 @@ def in_cells(corner: Floats, point: Point) -> Point:
 
 
 @compiled
-def cell_of(free: Grid, corner: Floats, point: Point) -> tuple[int, int]:
+def cell_of(free: Mask, corner: Floats, point: Point) -> tuple[int, int]:
     """Column and row of the cell that holds a point [m], clipped to the grid."""
     x, y = in_cells(corner, point)
     return (
@@ -76,19 +89,20 @@ def cell_of(free: Grid, corner: Floats, point: Point) -> tuple[int, int]:
 
 
 @compiled
-def _is_indoors(free: Grid, parts: Cells, cell: tuple[int, int]) -> bool:
-    """Whether a body fits in a cell that the walls close off from outside."""
-    return free[cell] and parts[cell] != parts[0, 0]
+def _is_indoors(grid: Grid, cell: tuple[int, int]) -> bool:
+    """Whether a body fits in a cell, and the walls close it off from outside."""
+    return grid.free[cell] and grid.parts[cell] != grid.parts[0, 0]
 
 
 @compiled
-def _nearest(free: Grid, parts: Cells, corner: Floats, point: Point) -> tuple[int, int]:
+def _nearest(grid: Grid, point: Point) -> tuple[int, int]:
     """The indoor cell whose middle is nearest to a point, the first of several.
 
     Looks round the point in ever larger squares, until nothing outside can be nearer.
     """
-    x, y = in_cells(corner, point)
-    a, b = cell_of(free, corner, point)
+    free = grid.free
+    x, y = in_cells(grid.corner, point)
+    a, b = cell_of(free, grid.corner, point)
     best, least = (a, b), np.inf
     for ring in range(max(free.shape)):
         if (ring - 1.0) ** 2 > least:
@@ -96,7 +110,7 @@ def _nearest(free: Grid, parts: Cells, corner: Floats, point: Point) -> tuple[in
         for i in range(max(a - ring, 0), min(a + ring + 1, free.shape[0])):
             step = 1 if abs(i - a) == ring else max(2 * ring, 1)
             for j in range(b - ring, b + ring + 1, step):
-                if 0 <= j < free.shape[1] and _is_indoors(free, parts, (i, j)):
+                if 0 <= j < free.shape[1] and _is_indoors(grid, (i, j)):
                     away = (i + 0.5 - x) ** 2 + (j + 0.5 - y) ** 2
                     if away < least or (away == least and (i, j) < best):
                         best, least = (i, j), away
@@ -104,11 +118,11 @@ def _nearest(free: Grid, parts: Cells, corner: Floats, point: Point) -> tuple[in
 
 
 @compiled
-def line_is_free(free: Grid, start: Point, end: Point) -> bool:
+def line_is_free(free: Mask, start: Point, end: Point) -> bool:
     """Whether every cell along a line is free.
 
     Args:
-        free: The grid, shape (width, height).
+        free: As in `Grid`, shape (width, height).
         start: In cells from the grid's corner.
         end: In cells from the grid's corner.
     """

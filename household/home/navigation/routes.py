@@ -1,9 +1,10 @@
-"""Ways through a home: shortest walks round walls and furniture.
+"""Routes through a home: short paths round walls and furniture.
 
-A person's center may be wherever its body clears everything solid. That free space
-is a grid; shortest ways on it are pulled straight wherever the straight line is free.
+A person's center may be wherever its body is clear of all obstacles. That free space
+is a grid; shortest paths on it are made straight wherever the straight line is free.
 """
 
+from collections.abc import Callable
 from functools import cached_property, lru_cache, reduce
 
 import numpy as np
@@ -11,16 +12,17 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
-from household.compiled.arrays import Floats, Indices, Mask
+from household.compiled.arrays import Floats, Mask
+from household.compiled.jit import bind
 from household.config.toml import Point
 from household.home.floorplan import FloorPlan
 from household.home.geometry import distance_to_box, distance_to_segments
-from household.home.navigation.grid import CELL, Cells, Grid, cell_of
-from household.home.navigation.path import ROOM, find_way
-from household.home.navigation.search import Turns, room_for_ways
+from household.home.navigation.grid import CELL, Grid, cell_of
+from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
+from household.home.navigation.search import empty_cache
 
 CLEARANCE = 0.3
-"""From a walker's center to anything solid [m]: its radius of 0.25 and a margin."""
+"""From a walker's center to any obstacle [m]: its radius of 0.25 and a margin."""
 
 STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 """Half of the eight directions; the graph is undirected."""
@@ -100,9 +102,14 @@ class Routes:
         return self.free & (self.parts != self.parts[0, 0])
 
     @cached_property
-    def arrays(self) -> tuple[Grid, Cells, Floats, Cells, Cells, Turns, Indices]:
-        """What `find_way` is to be given first."""
-        return self.free, self.parts, self._origin, *room_for_ways(self._indoors)
+    def navigation(self) -> Navigation:
+        """What paths are found with; all who walk through this home share it."""
+        grid = Grid(self.free, self.parts, self._origin)
+        return Navigation(grid, empty_cache(self._indoors))
+
+    @cached_property
+    def _find_path(self) -> Callable[[Point, Point, Waypoints, bool], int]:
+        return bind(find_path, self.navigation)
 
     def plan(self, start: Point, goal: Point) -> list[Point]:
         """Waypoints of a short walk.
@@ -114,14 +121,14 @@ class Routes:
 
         Returns:
             Points [m] to walk to one after the other, the last one nearest to the
-            goal. Empty if no way leads there.
+            goal. Empty if no path leads there.
         """
-        way = np.zeros((ROOM, 2))
-        count = find_way(*self.arrays, start, goal, way, 0, 0, False)
-        if count > len(way):
-            way = np.zeros((count, 2))
-            count = find_way(*self.arrays, start, goal, way, 0, 0, False)
-        return [(x, y) for x, y in way[:count].tolist()]
+        points = np.zeros((ROOM, 2))
+        count = self._find_path(start, goal, Waypoints(points, 0, 0), False)
+        if count > len(points):
+            points = np.zeros((count, 2))
+            count = self._find_path(start, goal, Waypoints(points, 0, 0), False)
+        return [(x, y) for x, y in points[:count].tolist()]
 
 
 def _shifted(dx: int, dy: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:

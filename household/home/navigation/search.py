@@ -1,4 +1,6 @@
-"""Shortest ways on the grid of free space; those that were once found are kept."""
+"""Shortest paths on the grid of free space; those that were once found are kept."""
+
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,7 +9,8 @@ from household.compiled.arrays import Indices, Mask
 from household.compiled.jit import compiled
 from household.home.navigation.grid import NOWHERE, Cells
 
-Turns = NDArray[np.int8]
+Steps = NDArray[np.int8]
+"""A step from each cell, see `beyond`."""
 
 STRAIGHT, DIAGONAL = 12, 17
 """Lengths of steps to neighboring cells: whole numbers, so that cells are found in
@@ -18,82 +21,87 @@ BUCKETS = 64
 which a remainder is cheap."""
 
 FAR, CLOSED = np.iinfo(np.int32).max, -1
-"""Distance of cells not yet found, and of those that no way may lead through."""
+"""Distance of cells not yet found, and of those that no path may lead through."""
 
 HERE, UNKNOWN = 4, -1
-"""In place of the next step, from 0 to 8: at the goal, and where no way is known."""
+"""In place of the next step, from 0 to 8: at the goal, and where no path is known."""
 
 MOST_BYTES = 64 << 20
-"""Of memory for the ways that are kept."""
+"""Of memory for the paths that are kept."""
 
 MOST_GOALS = 4096
-"""To which ways are kept."""
+"""To which paths are kept."""
 
 
-def room_for_ways(indoors: Mask) -> tuple[Cells, Cells, Turns, Indices]:
-    """Room to find ways in, and to keep them; most of it is taken when it is used.
+class PathCache(NamedTuple):
+    """Paths that were found, and what is needed to find others.
+
+    Attributes:
+        height: Of the grid.
+        scratch: Working memory of `_search`, shape (25, n_cells).
+        row: In which row of ``steps`` the paths to each cell are, `NOWHERE` if they are
+            not kept, shape (n_cells,).
+        steps: For each goal the step that leads on from every cell, see `beyond`,
+            shape (n_goals, n_cells); the first row is for a path that is not kept.
+        used: How many rows are taken, shape (1,).
+    """
+
+    height: int
+    scratch: Annotated[Cells, 25, "n_cells"]
+    row: Annotated[Cells, "n_cells"]
+    steps: Annotated[Steps, "n_goals", "n_cells"]
+    used: Annotated[Indices, 1]
+
+
+def empty_cache(indoors: Mask) -> PathCache:
+    """A cache without paths; most of its memory is taken when it is used.
 
     Args:
-        indoors: Where ways may lead, nowhere at the edge, shape (width, height).
-
-    Returns:
-        scratch: For `_search`, shape (25, n_cells).
-        kept_at: In which row of ``kept`` the ways to each cell are, `NOWHERE` if they
-            are not kept, shape (n_cells,).
-        kept: For each goal that is kept the step from every cell, (n_goals, n_cells);
-            the first row is for a way that is not kept.
-        n_kept: How many rows are taken, shape (1,).
+        indoors: Where paths may lead, nowhere at the edge, shape (width, height).
     """
     n_cells = indoors.size
     scratch = np.zeros((25, n_cells), np.int32)
     scratch[0] = np.where(indoors, FAR, CLOSED).ravel()
     goals = max(1, min(MOST_GOALS, MOST_BYTES // n_cells))
-    kept_at = np.full(n_cells, NOWHERE, np.int32)
-    kept = np.empty((1 + goals, n_cells), np.int8)
-    return scratch, kept_at, kept, np.ones(1, np.intp)
+    return PathCache(
+        height=indoors.shape[1],
+        scratch=scratch,
+        row=np.full(n_cells, NOWHERE, np.int32),
+        steps=np.empty((1 + goals, n_cells), np.int8),
+        used=np.ones(1, np.intp),
+    )
 
 
 @compiled
-def onward_to(
-    height: int,
-    scratch: Cells,
-    kept_at: Cells,
-    kept: Turns,
-    n_kept: Indices,
-    goal: int,
-    start: int,
-    keep: bool,
-) -> Turns:
-    """A way to a cell, or ways from all that are as near as another.
+def steps_to(cache: PathCache, goal: int, start: int, keep: bool) -> Steps:
+    """The steps of a path to a cell, or of the paths from all cells that are as near.
 
-    Those are kept for the next who walks there: that saves time, and changes no way.
+    The latter are kept for the next who walks there: that saves time, and changes no
+    path.
 
     Args:
-        height: Of the grid.
-        scratch: From `room_for_ways`, like the three that follow; brought up to date.
-        kept_at: Shape (n_cells,).
-        kept: Shape (n_goals, n_cells).
-        n_kept: Shape (1,).
+        cache: Brought up to date.
         goal: A cell.
-        start: A cell from which a way leads there.
+        start: A cell from which a path leads there.
         keep: Whether others will walk there, too.
 
     Returns:
-        A row of ``kept``: the step that leads on from each cell, see `beyond`.
+        A row of ``cache.steps``.
     """
+    row, steps, used = cache.row, cache.steps, cache.used
     if not keep:
-        _search(height, scratch, goal, start, kept[0], 1, True)
-        return kept[0]
-    if kept_at[goal] == NOWHERE:
-        if n_kept[0] == len(kept):
-            kept_at[:], n_kept[0] = NOWHERE, 1
-        kept_at[goal] = n_kept[0]
-        n_kept[0] += 1
-        _search(height, scratch, goal, start, kept[kept_at[goal]], 1, False)
-    elif kept[kept_at[goal], start] == UNKNOWN:
+        _search(cache, goal, start, steps[0], 1, True)
+        return steps[0]
+    if row[goal] == NOWHERE:
+        if used[0] == len(steps):
+            row[:], used[0] = NOWHERE, 1
+        row[goal] = used[0]
+        used[0] += 1
+        _search(cache, goal, start, steps[row[goal]], 1, False)
+    elif steps[row[goal], start] == UNKNOWN:
         # A goal of many: twice as far as needed, so that few more ask in vain.
-        _search(height, scratch, goal, start, kept[kept_at[goal]], 2, False)
-    return kept[kept_at[goal]]
+        _search(cache, goal, start, steps[row[goal]], 2, False)
+    return steps[row[goal]]
 
 
 @compiled
@@ -105,57 +113,51 @@ def beyond(cell: int, step: int, height: int) -> int:
 
 @compiled
 def _search(
-    height: int,
-    scratch: Cells,
-    goal: int,
-    start: int,
-    onward: Turns,
-    times: int,
-    aimed: bool,
+    cache: PathCache, goal: int, start: int, steps: Steps, times: int, aimed: bool
 ) -> None:
-    """Shortest ways to a cell (Dijkstra's, with Dial's buckets; A* where aimed).
+    """Shortest paths to a cell (Dijkstra's, with Dial's buckets; A* where aimed).
 
-    The search ends once the way from ``start`` is known, and with it all ways that are
-    no longer, or so many times as long. They are the same however far a search goes.
-    One that is aimed at ``start`` leaves out what lies elsewhere.
+    The search ends once the path from ``start`` is known, and with it all paths that
+    are no longer, or so many times as long. They are the same however far a search
+    goes. One that is aimed at ``start`` leaves out what lies elsewhere.
 
     Args:
-        height: Of the grid.
-        scratch: `FAR` for each cell where ways may lead, none of them at the edge of
-            the grid, and `CLOSED` for all others, in its first row; that is so again in
-            the end. The others are for entries, of which each cell can have eight.
-            Shape (25, width * height).
+        cache: Its ``scratch`` is used. The first row of it is `FAR` for each cell where
+            paths may lead, none of them at the edge of the grid, and `CLOSED` for all
+            others; that is so again in the end. The other rows are for entries, of
+            which each cell can have eight.
         goal: A cell.
-        start: A cell from which a way leads there.
-        onward: Filled in with the step that leads on from each cell, `HERE` at the
-            goal, `UNKNOWN` where the way is not known, shape (width * height,).
+        start: A cell from which a path leads there.
+        steps: Filled in with the step that leads on from each cell, `HERE` at the goal,
+            `UNKNOWN` where the path is not known, shape (n_cells,).
         times: How many times as far as ``start`` is to search; 1 where aimed.
-        aimed: Whether only the way from ``start`` is looked for.
+        aimed: Whether only the path from ``start`` is looked for.
     """
-    onward[:] = UNKNOWN
+    height, scratch = cache.height, cache.scratch
+    steps[:] = UNKNOWN
     away = scratch[0]  # As far as found.
     # A bucket for each length that can be waiting, in each a list of entries: a cell,
     # the step that leads on from it and the entry that follows in the bucket. Lengths
-    # are those of the way from the cell, or where aimed, of the whole way through it.
+    # are those of the path from the cell, or where aimed, of the whole path through it.
     bucket = np.full(BUCKETS, NOWHERE, np.int32)
-    cells, steps, followers = scratch[1:].reshape((3, -1))
+    cells, onward, followers = scratch[1:].reshape((3, -1))
     length = 0
     if aimed:
         length = _beeline(
             goal // height - start // height, goal % height - start % height
         )
-    cells[0], steps[0], followers[0] = goal, HERE, NOWHERE
+    cells[0], onward[0], followers[0] = goal, HERE, NOWHERE
     away[goal], bucket[length % BUCKETS], entries = 0, 0, 1
     while times * int(away[start]) >= length:
         entry = bucket[length % BUCKETS]
         if entry == NOWHERE:
             length += 1
             continue
-        cell, step = cells[entry], steps[entry]
+        cell, step = cells[entry], onward[entry]
         bucket[length % BUCKETS] = followers[entry]
-        if onward[cell] != UNKNOWN:
+        if steps[cell] != UNKNOWN:
             continue
-        onward[cell] = step
+        steps[cell] = step
         column = cell // height - start // height
         row = cell % height - start % height
         for out in range(9):
@@ -166,7 +168,7 @@ def _search(
                     _beeline(column + out // 3 - 1, row + out % 3 - 1) if aimed else 0
                 )
                 k = (reached + left) % BUCKETS
-                cells[entries], steps[entries] = there, 8 - out
+                cells[entries], onward[entries] = there, 8 - out
                 followers[entries], bucket[k] = bucket[k], entries
                 away[there], entries = reached, entries + 1
     for entry in range(entries):
@@ -175,6 +177,6 @@ def _search(
 
 @compiled
 def _beeline(columns: int, rows: int) -> int:
-    """The least length that a way over so many columns and rows can have."""
+    """The least length that a path over so many columns and rows can have."""
     most, least = max(abs(columns), abs(rows)), min(abs(columns), abs(rows))
     return STRAIGHT * most + (DIAGONAL - STRAIGHT) * least

@@ -1,4 +1,4 @@
-"""The engine's bodies: what is solid, and who pushes whom."""
+"""The engine's bodies: obstacles, and who pushes whom."""
 
 import math
 
@@ -70,14 +70,7 @@ def test_who_is_pushed_out_of_a_wall_is_not_pushed_into_a_cupboard(room):
     start = np.array([[8.2, 1.35]])
     # As the engine left it once, when a crowd pressed a robot into that corner.
     position = np.array([[8.09, 1.19]])
-    keep_out(
-        np.array([ROBOT]),
-        physics.solid,
-        physics.thickness,
-        physics.boxes,
-        start,
-        position,
-    )
+    keep_out(np.array([ROBOT]), physics.obstacles, start, position)
     np.testing.assert_array_equal(position, start)
 
 

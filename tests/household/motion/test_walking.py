@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from household.compiled.arrays import NOBODY
-from household.motion.crowd import BodyParams, Crowd
+from household.motion.bodies import BodyParams
+from household.motion.crowd import Crowd
 from household.motion.steering import PUSHY
 from household.simulation.simulation import PERSON_RADIUS as PERSON
 
@@ -88,7 +89,9 @@ def test_two_who_meet_pass_without_touching_and_without_the_engine(
     assert engine.times == 0
 
 
-def test_who_is_hemmed_in_waits_without_turning_and_then_pushes(room, crowd_in):
+def test_a_walker_with_all_sides_blocked_waits_without_turning_and_then_pushes(
+    room, crowd_in
+):
     crowd = crowd_in(room(), [(4.0, 2.5), *CLOSE])
     assert crowd.send(0, (7.0, 2.5), 0.0)
     here, ahead, moved = [], [], []
@@ -214,7 +217,7 @@ def test_all_are_asked_at_once_who_has_arrived(room, crowd_in):
     assert there.tolist() == [False, False, True]
 
 
-def test_all_who_are_astray_set_out_but_those_who_are_to_stay(room, crowd_in):
+def test_all_who_need_a_new_path_set_out_but_those_who_are_to_stay(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 1.0), (1.0, 4.0), (4.0, 2.5), (7.0, 4.0)])
     goals = [(6.0, 1.0), (1.0, 4.0), (4.0, 1.0)]
     nobody = np.full(3, NOBODY)
@@ -228,7 +231,7 @@ def test_all_who_are_astray_set_out_but_those_who_are_to_stay(room, crowd_in):
     assert crowd.walks_since(0) == 5.0
 
 
-def test_ways_with_many_turns_make_room_for_themselves(room, crowd_in):
+def test_paths_with_many_turns_make_room_for_themselves(room, crowd_in):
     ends = [(0.0, 4.0) if k % 2 else (1.0, 5.0) for k in range(11)]
     walls = tuple((x, low, x, high) for x, (low, high) in enumerate(ends, start=1))
     plan = room(size=(12.0, 5.0), walls=walls)

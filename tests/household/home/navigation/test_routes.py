@@ -1,4 +1,4 @@
-"""Ways through homes: short, clear of everything solid, the same whoever asks."""
+"""Paths through homes: short, clear of all obstacles, the same whoever asks."""
 
 import itertools
 import math
@@ -8,14 +8,14 @@ import pytest
 
 from household.config.toml import shipped
 from household.home.floorplan import Door, Furniture, load_floorplan
-from household.home.navigation.path import find_way
+from household.home.navigation.path import Waypoints, find_path
 from household.home.navigation.routes import Routes, routes_of
 from household.home.navigation.search import (
     DIAGONAL,
     HERE,
     STRAIGHT,
     beyond,
-    onward_to,
+    steps_to,
 )
 from household.simulation.simulation import PERSON_RADIUS as PERSON
 
@@ -23,17 +23,16 @@ HOMES = tuple(shipped("home"))
 
 
 @pytest.mark.parametrize("home", HOMES)
-def test_a_way_that_is_not_kept_is_as_short_as_one_that_is(home):
+def test_a_path_that_is_not_kept_is_as_short_as_one_that_is(home):
     routes = Routes(load_floorplan(home))
-    free, _, _, scratch, kept_at, kept, n_kept = routes.arrays
-    height = free.shape[1]
+    cache = routes.navigation.cache
 
     def length_of(goal, start, keep):
-        onward = onward_to(height, scratch, kept_at, kept, n_kept, goal, start, keep)
+        steps = steps_to(cache, goal, start, keep)
         total, here = 0, start
-        while onward[here] != HERE:
-            total += STRAIGHT if onward[here] % 2 else DIAGONAL
-            here = beyond(here, onward[here], height)
+        while steps[here] != HERE:
+            total += STRAIGHT if steps[here] % 2 else DIAGONAL
+            here = beyond(here, steps[here], cache.height)
         return total
 
     rng = np.random.default_rng(0)
@@ -44,11 +43,11 @@ def test_a_way_that_is_not_kept_is_as_short_as_one_that_is(home):
             assert length_of(goal, start, False) == length_of(goal, start, True)
 
 
-def length(start, way):
-    return sum(math.dist(a, b) for a, b in itertools.pairwise([start, *way]))
+def length(start, path):
+    return sum(math.dist(a, b) for a, b in itertools.pairwise([start, *path]))
 
 
-def test_the_way_round_a_box_is_the_taut_string_within_a_few_percent(room):
+def test_the_path_round_a_box_is_the_taut_string_within_a_few_percent(room):
     """From 2 m before the box to 2 m behind it, its corners cleared by 0.3 m.
 
     The string runs tangentially to the circle round the first corner, 2.236 m away:
@@ -58,80 +57,77 @@ def test_the_way_round_a_box_is_the_taut_string_within_a_few_percent(room):
     box = Furniture(name="box", center=(4.0, 2.5), size=(2.0, 2.0))
     routes = routes_of(room(size=(8.0, 6.0), furniture=(box,)))
     start, goal = (1.0, 2.5), (7.0, 2.5)
-    way = routes.plan(start, goal)
+    path = routes.plan(start, goal)
     # A grid cell of 0.1 m may round the corner a little on either side.
-    assert 0.98 * 6.791 < length(start, way) < 1.04 * 6.791
+    assert 0.98 * 6.791 < length(start, path) < 1.04 * 6.791
 
 
-def test_the_way_through_the_nearer_of_two_doors_is_taken(room):
+def test_the_path_through_the_nearer_of_two_doors_is_taken(room):
     """Through (4, 1): twice hypot(3, 1.5), 6.708 m; through the other, 7.81 m."""
     walls = ((4.0, 0.0, 4.0, 0.5), (4.0, 1.5, 4.0, 4.0), (4.0, 4.9, 4.0, 5.0))
     start, goal = (1.0, 2.5), (7.0, 2.5)
-    way = routes_of(room(walls=walls)).plan(start, goal)
-    assert 0.98 * 6.708 < length(start, way) < 1.05 * 6.708
+    path = routes_of(room(walls=walls)).plan(start, goal)
+    assert 0.98 * 6.708 < length(start, path) < 1.05 * 6.708
 
 
 def test_a_free_line_is_walked_straight(room):
-    way = routes_of(room()).plan((1.0, 1.0), (7.0, 4.0))
-    np.testing.assert_allclose(way, [(7.0, 4.0)])
+    path = routes_of(room()).plan((1.0, 1.0), (7.0, 4.0))
+    np.testing.assert_allclose(path, [(7.0, 4.0)])
 
 
-def test_no_way_leads_through_a_wall_without_a_door(room):
+def test_no_path_leads_through_a_wall_without_a_door(room):
     routes = routes_of(room(walls=((4.0, 0.0, 4.0, 5.0),)))
     assert len(routes.plan((1.0, 1.0), (7.0, 1.0))) == 0
 
 
 @pytest.mark.parametrize(("is_open", "leads"), [(True, True), (False, False)])
-def test_a_way_leads_through_an_open_door_and_not_through_a_closed_one(
+def test_a_path_leads_through_an_open_door_and_not_through_a_closed_one(
     room, is_open, leads
 ):
     plan = room(
         walls=((4.0, 0.0, 4.0, 2.0), (4.0, 3.0, 4.0, 5.0)),
         doors=(Door(start=(4.0, 2.0), end=(4.0, 3.0), open=is_open),),
     )
-    way = routes_of(plan).plan((1.0, 1.0), (7.0, 1.0))
-    assert (len(way) > 0) == leads
+    path = routes_of(plan).plan((1.0, 1.0), (7.0, 1.0))
+    assert (len(path) > 0) == leads
 
 
-def test_a_way_may_turn_as_often_as_it_must(room, crowd_in):
+def test_a_path_may_turn_as_often_as_it_must(room, crowd_in):
     """Round the ends of eleven walls that stand out from either side in turn."""
     ends = [(0.0, 4.0) if k % 2 else (1.0, 5.0) for k in range(11)]
     walls = tuple((x, low, x, high) for x, (low, high) in enumerate(ends, start=1))
     plan = room(size=(12.0, 5.0), walls=walls)
     start, goal = (0.5, 2.5), (11.5, 2.5)
-    way = routes_of(plan).plan(start, goal)
-    assert len(way) > len(walls)
+    path = routes_of(plan).plan(start, goal)
+    assert len(path) > len(walls)
     # Whose goal moves a little walks on as before, and only ends elsewhere.
-    bent, left = np.array(way), len(way) - 3
-    count = find_way(
-        *routes_of(plan).arrays, way[2], (11.5, 2.6), bent, 3, len(way), False
-    )
+    bent, left = np.array(path), len(path) - 3
+    walked = Waypoints(bent, 3, len(path))
+    count = find_path(routes_of(plan).navigation, path[2], (11.5, 2.6), walked, False)
     assert count == left
-    np.testing.assert_array_equal(bent[:left], [*way[3:-1], (11.5, 2.6)])
+    np.testing.assert_array_equal(bent[:left], [*path[3:-1], (11.5, 2.6)])
     crowd = crowd_in(plan, [start, (0.5, 4.0)], speed=1.2)
     assert crowd.send(0, goal, 0.0)
     seconds = 0
     while crowd.walks(0):
         crowd.advance(5)
         seconds += 1
-        assert seconds < 2 * length(start, way) / 1.2
+        assert seconds < 2 * length(start, path) / 1.2
     assert math.dist(crowd.position[0], goal) < 0.1
 
 
-def test_no_way_depends_on_what_else_was_asked_before():
+def test_no_path_depends_on_what_else_was_asked_before():
     plan = load_floorplan("family_apartment")
     spots = [region.center for region in plan.regions]
     asked = list(itertools.permutations(spots, 2))
     forth, back = Routes(plan), Routes(plan)
-    ways = [forth.plan(*pair) for pair in asked]
-    assert [back.plan(*pair) for pair in reversed(asked)] == ways[::-1]
-    assert [forth.plan(*pair) for pair in asked] == ways
+    paths = [forth.plan(*pair) for pair in asked]
+    assert [back.plan(*pair) for pair in reversed(asked)] == paths[::-1]
+    assert [forth.plan(*pair) for pair in asked] == paths
 
 
 @pytest.mark.parametrize("home", HOMES)
-def test_ways_through_shipped_homes_keep_a_body_clear_of_everything_solid(
-    home, deepest
-):
+def test_paths_through_shipped_homes_keep_a_body_clear_of_all_obstacles(home, deepest):
     plan = load_floorplan(home)
     routes = routes_of(plan)
     rng = np.random.default_rng(2)
@@ -144,10 +140,10 @@ def test_ways_through_shipped_homes_keep_a_body_clear_of_everything_solid(
         corner + (cell + rng.random(2)) * 0.1 for cell in rng.permutation(free)[:6]
     ]
     for start, goal in itertools.product([*centers, *starts], centers):
-        way = routes.plan(tuple(start), tuple(goal))
-        assert len(way) > 0
-        assert math.dist(way[-1], goal) < 0.2
-        points = [start, *map(np.array, way)]
+        path = routes.plan(tuple(start), tuple(goal))
+        assert len(path) > 0
+        assert math.dist(path[-1], goal) < 0.2
+        points = [start, *map(np.array, path)]
         line = np.vstack(
             [
                 a + np.linspace(0, 1, 60)[:, None] * (b - a)
