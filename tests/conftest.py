@@ -1,15 +1,22 @@
 """What tests of several packages share: plain rooms, scenarios in them, episodes."""
 
+import os
+
 import msgspec
 import numpy as np
 import pytest
 
 from household.activity import Activity
+from household.compiled.jit import CHECKED
 from household.config.toml import shipped
 from household.feedback import Cause
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
 from household.people.mind import Judgements, Percepts
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
+
+os.environ[CHECKED] = "1"
+"""Bound functions check what they are handed over, here and in all processes that tests
+start."""
 
 SHIPPED = tuple(shipped("scenario"))
 

@@ -1,13 +1,22 @@
 """Compiling small loops with Numba, wherever the package is installed."""
 
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, Final, ParamSpec, TypeVar, cast
 
 from numba import boolean, float32, float64, intp, njit
-from numba import typeof as kind_of
+
+from household.compiled.signature import (
+    Sizes,
+    check_of,
+    kind_of,
+    parameters_of,
+    says_enough,
+    typeof,
+)
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -20,6 +29,9 @@ FLOATS_3D, SINGLES_2D = float64[:, :, :], float32[:, :]
 
 PACKAGES = Path(__file__).parent, Path(__file__).parent.parent / "policies"
 """Where there are compiled functions, which call each other."""
+
+CHECKED: Final = "HOUSEHOLD_CHECKED"
+"""Environment variable: 1 for `bind` to check arguments, at some cost."""
 
 RULES: Final = "numpy"
 """For divisions; Python's own check for zeros, which keeps loops from running several
@@ -58,20 +70,63 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def bind(
-    function: Callable[..., R], *first: object, then: Sequence[Any] = ()
+    function: Callable[..., R], *first: object, then: Sequence[Any] | None = None
 ) -> Callable[..., R]:
     """Fixes the first arguments of a compiled function, and the kinds of the others.
 
     Numba finds out at each call of what kind every argument is, and that takes as long
     as many of our loops do. Here it finds out once, so that only arrays of our own may
-    be handed over: nobody checks any more whether they hold what they should.
+    be handed over: it no longer checks what they hold, and would read wrong memory.
+    Where the environment variable `CHECKED` is 1 when a function is bound, as in the
+    tests, every call is checked, whether Numba is switched off or not.
 
     Args:
         function: From `compiled`.
-        first: The same at every call.
-        then: Kinds of all that follow.
+        first: The same at every call: numbers, arrays or records of arrays.
+        then: What all that follow are: records' classes, arrays with their shape, as in
+            ``Annotated[Floats, "n", 2]``, or kinds such as `FLOATS`. As annotated in
+            the function, if not given.
+
+    Returns:
+        A function of the other arguments, by position. In checked mode it raises a
+        TypeError if one has another type, number of dimensions, shape or layout than
+        it should have.
     """
-    compile_for = getattr(function, "compile", None)
-    if compile_for is None:  # NUMBA_DISABLE_JIT
-        return partial(function, *first)
-    return partial(compile_for((*map(kind_of, first), *then)), *first)
+    parameters = parameters_of(function)
+    others = tuple(list(parameters.values())[len(first) :] if then is None else then)
+    bound = partial(function, *first)
+    if hasattr(function, "compile"):  # Not with NUMBA_DISABLE_JIT.
+        kinds = (*map(typeof, first), *map(kind_of, others))
+        bound = partial(function.compile(kinds), *first)
+    if os.environ.get(CHECKED) != "1":
+        return bound
+    return _checked(bound, function.__name__, parameters, first, others)
+
+
+def _checked(
+    bound: Callable[..., R],
+    function: str,
+    parameters: Mapping[str, Any],
+    first: Sequence[object],
+    others: Sequence[Any],
+) -> Callable[..., R]:
+    """A bound function that looks at what it is handed over."""
+    labels = [f"{function}(), argument {name}" for name in parameters]
+    known: Sizes = {}
+    for label, annotation, value in zip(
+        labels, parameters.values(), first, strict=False
+    ):
+        if says_enough(annotation):
+            check_of(label, annotation)(value, known)
+    checks = [
+        check_of(label, annotation)
+        for label, annotation in zip(labels[len(first) :], others, strict=True)
+    ]
+
+    def call(*arguments: object) -> R:
+        sizes = known.copy()
+        for check, argument in zip(checks, arguments, strict=True):
+            check(argument, sizes)
+        return bound(*arguments)
+
+    return call

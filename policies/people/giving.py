@@ -33,7 +33,8 @@ STATE = np.dtype(
         ("praise", np.bool_),
         ("waited", np.float64),
         ("changed", np.bool_),
-    ]
+    ],
+    align=True,
 )
 """What a person is out to do: which robot to touch, or `NOBODY`; whose bout that is
 about; whether it is to be a caress; for how long already [s]; whether that is new."""

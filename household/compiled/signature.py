@@ -1,0 +1,159 @@
+"""Signatures: what a bound function takes, read off its annotations, and its check.
+
+An array is annotated with its shape, as in ``Annotated[Floats, "n", 2]``: as many rows
+as all other arrays that have an ``"n"``, and two columns. Arrays that belong together
+travel as a record: a `typing.NamedTuple` whose fields are annotated in the same way.
+"""
+
+from collections.abc import Callable, Iterable
+from inspect import signature
+from numbers import Integral, Real
+from typing import Any, get_args, get_type_hints
+
+import numba
+import numpy as np
+from numba import boolean, float64, from_dtype, intp, types
+from numba.np.numpy_support import as_dtype
+
+typeof: Callable[[object], Any] = numba.typeof
+tuple_of: Callable[..., Any] = types.BaseTuple.from_types
+"""Numba's own; it is not annotated."""
+
+NUMBERS: dict[Any, Any] = {float: float64, int: intp, bool: boolean}
+"""Numba's types of plain numbers, by their annotation."""
+
+ACCEPTED: dict[Any, tuple[type, ...]] = {
+    float64: (Real,),
+    intp: (Integral,),
+    boolean: (bool, np.bool_),
+}
+"""What may be handed over for them: Numba would cut off the fraction of an index."""
+
+Sizes = dict[str, int]
+"""How long each named axis is, as the first array has it that has such an axis."""
+
+Check = Callable[[object, Sizes], None]
+"""Raises an error if an argument is not what it should be."""
+
+
+def parameters_of(function: Callable[..., Any]) -> dict[str, Any]:
+    """What each parameter of a function, compiled or not, is annotated with."""
+    plain = getattr(function, "py_func", function)
+    hints = get_type_hints(plain, include_extras=True)
+    return {name: hints.get(name) for name in signature(plain).parameters}
+
+
+def kind_of(annotation: Any) -> Any:  # noqa: ANN401
+    """The Numba type of what has an annotation.
+
+    Args:
+        annotation: A number's, that of an array with its shape, a record's class, or a
+            Numba type already.
+
+    Raises:
+        TypeError: If it does not say enough, as that of an array without a shape.
+    """
+    if isinstance(annotation, types.Type):
+        return annotation
+    if annotation in NUMBERS:
+        return NUMBERS[annotation]
+    if _is_record(annotation):
+        kinds = tuple(map(kind_of, _fields(annotation).values()))
+        return tuple_of(kinds, annotation)
+    shape = _shape(annotation)
+    if not shape:
+        raise TypeError(f"no number, record or array with a shape: {annotation}")
+    # Any layout: arrays may have gaps.
+    return types.Array(from_dtype(_dtype(annotation)), len(shape), "A")
+
+
+def check_of(name: str, annotation: Any) -> Check:  # noqa: ANN401
+    """The check of an argument.
+
+    Args:
+        name: What to call it in errors.
+        annotation: As for `kind_of`.
+    """
+    if _is_record(annotation):
+        return _check_record(name, annotation)
+    kind = kind_of(annotation)
+    if isinstance(kind, types.Array):
+        return _check_array(name, kind, _shape(annotation))
+    return _check_number(name, kind)
+
+
+def says_enough(annotation: Any) -> bool:  # noqa: ANN401
+    """Whether an annotation tells what an argument must be."""
+    return _is_record(annotation) or annotation in NUMBERS or bool(_shape(annotation))
+
+
+def _check_record(name: str, record: Any) -> Check:  # noqa: ANN401
+    fields = [check_of(f"{name}.{field}", a) for field, a in _fields(record).items()]
+
+    def check(value: object, sizes: Sizes) -> None:
+        if not isinstance(value, record):
+            raise _error(name, record.__name__, type(value).__name__)
+        items: Iterable[object] = value
+        for check_field, item in zip(fields, items, strict=True):
+            check_field(item, sizes)
+
+    return check
+
+
+def _check_array(name: str, kind: Any, shape: tuple[str | int, ...]) -> Check:  # noqa: ANN401
+    dtype, contiguous = as_dtype(kind.dtype), kind.layout == "C"
+
+    def check(value: object, sizes: Sizes) -> None:
+        if not (
+            isinstance(value, np.ndarray)
+            and value.dtype == dtype
+            and value.ndim == kind.ndim
+            and (value.flags.behaved or not kind.mutable)
+            and (value.flags.c_contiguous or not contiguous)
+        ):
+            raise _error(name, kind, _kind_in_words(value))
+        for axis, size in zip(shape, value.shape, strict=bool(shape)):
+            known = sizes.setdefault(axis, size) if isinstance(axis, str) else axis
+            if known != size:
+                sought = tuple(sizes.get(str(axis), axis) for axis in shape)
+                raise _error(name, f"shape {sought}", f"shape {value.shape}")
+
+    return check
+
+
+def _check_number(name: str, kind: Any) -> Check:  # noqa: ANN401
+    def check(value: object, sizes: Sizes) -> None:
+        if not isinstance(value, ACCEPTED.get(kind, ())):
+            raise _error(name, kind, _kind_in_words(value))
+
+    return check
+
+
+def _error(name: str, expected: object, got: str) -> TypeError:
+    return TypeError(f"{name}: expected {expected}, got {got}")
+
+
+def _kind_in_words(value: object) -> str:
+    aligned = not isinstance(value, np.ndarray) or value.flags.aligned
+    try:
+        return f"{typeof(value)}{'' if aligned else ', not aligned'}"
+    except ValueError:  # Numba knows no such thing.
+        return type(value).__name__
+
+
+def _is_record(annotation: Any) -> bool:  # noqa: ANN401
+    return isinstance(annotation, type) and hasattr(annotation, "_fields")
+
+
+def _fields(record: Any) -> dict[str, Any]:  # noqa: ANN401
+    return get_type_hints(record, include_extras=True)
+
+
+def _shape(annotation: Any) -> tuple[str | int, ...]:  # noqa: ANN401
+    return getattr(annotation, "__metadata__", ())
+
+
+def _dtype(annotation: Any) -> np.dtype[Any]:  # noqa: ANN401
+    """The data type in ``Annotated[NDArray[...], ...]``."""
+    array = get_args(annotation)[0]
+    return np.dtype(get_args(get_args(array)[1])[0])
