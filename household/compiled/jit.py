@@ -27,7 +27,9 @@ FLOATS_2D, INDICES_2D, MASK_2D = float64[:, :], intp[:, :], boolean[:, :]
 FLOATS_3D, SINGLES_2D = float64[:, :, :], float32[:, :]
 """Kinds of arguments, for `bind`; of arrays, those with gaps, too."""
 
-PACKAGES = Path(__file__).parent, Path(__file__).parent.parent / "policies"
+HOUSEHOLD = Path(__file__).parents[1]
+
+PACKAGES = HOUSEHOLD, HOUSEHOLD.with_name("policies")
 """Where there are compiled functions, which call each other."""
 
 CHECKED: Final = "HOUSEHOLD_CHECKED"

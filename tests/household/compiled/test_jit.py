@@ -6,7 +6,14 @@ import sys
 
 import numpy as np
 
-from household.compiled.jit import FLOAT, FLOATS, bind, compiled, forget_outdated
+from household.compiled.jit import (
+    FLOAT,
+    FLOATS,
+    PACKAGES,
+    bind,
+    compiled,
+    forget_outdated,
+)
 
 A_MINUTE = """
 import hashlib
@@ -37,6 +44,17 @@ def test_what_was_compiled_before_any_source_changed_is_forgotten(tmp_path):
     assert [index.exists() for index in kept] == [True, True]
     forget_outdated([tmp_path / "one", tmp_path / "other"])
     assert [index.exists() for index in kept] == [False, False]
+
+
+def test_all_compiled_functions_are_where_changes_are_looked_for():
+    (root,) = {package.parent for package in PACKAGES}
+    assert [package.name for package in PACKAGES] == ["household", "policies"]
+    names = ("experiments", "household", "learners", "policies")
+    sources = [file for name in names for file in (root / name).rglob("*.py")]
+    compiles = [file for file in sources if "@compiled\n" in file.read_text("utf-8")]
+    assert root / "household" / "perception" / "kernel.py" in compiles
+    for file in compiles:
+        assert any(file.is_relative_to(package) for package in PACKAGES)
 
 
 def test_a_minute_is_the_same_compiled_or_not():
