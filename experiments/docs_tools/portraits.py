@@ -16,7 +16,7 @@ from household.people.mind import Intentions, Minds, Percepts
 from household.people.traits import traits_of
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario
 from policies.people import make_minds
-from policies.people.giving import calls_for_feedback
+from policies.people.feedback_giving import calls_for_feedback
 
 HOURS, SEEDS = 1, 3
 """Each persona is watched for this long with each of the first seeds."""
@@ -41,8 +41,9 @@ class Witness(Minds):
 
     def decide(self, percepts: Percepts) -> Intentions:
         """As the mind itself; bouts that call for no feedback are not counted."""
-        new, values, _, attending = percepts.judgements
-        for value, attends in zip(values[new], attending[new], strict=True):
+        found = percepts.appraisals
+        values, attending = found.value[found.new], found.attending[found.new]
+        for value, attends in zip(values, attending, strict=True):
             if calls_for_feedback(value, attends, self._traits):
                 self._counts["pleased" if value > 0.0 else "annoyed"] += 1
         return self._minds.decide(percepts)

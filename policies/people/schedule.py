@@ -27,7 +27,7 @@ class Stop:
 
 
 class Schedule(Stateful):
-    """Where a person is in its schedule; `Doings` let the time pass.
+    """Where a person is in its schedule; `Routines` lets the time pass.
 
     Args:
         stops: At least one; the first is where it begins.

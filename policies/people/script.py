@@ -34,7 +34,7 @@ class Line:
 
 
 class Script(Stateful):
-    """Where a person is in its script; `Doings` let the time pass.
+    """Where a person is in its script; `Routines` lets the time pass.
 
     Args:
         lines: At least one.

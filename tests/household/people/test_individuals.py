@@ -24,7 +24,7 @@ class Grump(Mind):
 
     def decide(self, percept):
         self.lived.append(percept)
-        bad = [j for j in percept.judgements if j.value < 0.0]
+        bad = [a for a in percept.appraisals if a.value < 0.0]
         wish = bad and Wish(bad[0].robot, "tap", 0.25, bad[0].cause)
         return Intention(place=0, look=1, wish=wish or None)
 
@@ -42,13 +42,13 @@ def lives(scenario, actions, *minds):
 def test_a_mind_of_ones_own_sees_what_happens_and_touches(household_of):
     grump = Grump()
     env, felt = lives(household_of(robots=NEAR), [SLEEP, BARK, SLEEP, SLEEP], grump)
-    judged = [[(j.robot, j.value) for j in p.judgements] for p in grump.lived]
-    assert judged[1] == [(0, -1.0)]
+    found = [[(a.robot, a.value) for a in p.appraisals] for p in grump.lived]
+    assert found[1] == [(0, -1.0)]
     assert [touch.strength for touches in felt for touch in touches] == [0.25]
     assert [p.touched for p in grump.lived] == [False, False, True, False]
     assert [p.time for p in grump.lived] == [1.0, 2.0, 3.0, 4.0]
     assert grump.lived[0].arrived
-    assert env.simulation.people.intentions.look.tolist() == [1]
+    assert env.simulation.people.look.tolist() == [1]
 
 
 def test_what_a_mind_keeps_of_a_percept_is_its_own(household_of):
