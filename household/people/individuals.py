@@ -106,8 +106,8 @@ class Mind(Protocol):
 class Individuals(Minds):
     """People who each have a mind of their own.
 
-    A wish is kept as long as the mind answers with an equal one, and until it is
-    fulfilled.
+    A wish lasts for as long as the mind answers with an equal one, at most until it is
+    fulfilled; an equal one after that is another wish.
 
     Args:
         minds: One for each person, in order.
@@ -119,30 +119,28 @@ class Individuals(Minds):
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode for each."""
-        self._wishes = [None] * len(self._minds)
-        return self._together(
-            [mind.reset(rng) for mind, rng in zip(self._minds, rngs, strict=True)]
-        )
+        n = len(self._minds)
+        self._wishes = [None] * n
+        each = [mind.reset(rng) for mind, rng in zip(self._minds, rngs, strict=True)]
+        return self._together(each, np.zeros(n, np.bool_))
 
     def decide(self, percepts: Percepts) -> Intentions:
         """Asks one after the other."""
-        return self._together(
-            [mind.decide(_percept(i, percepts)) for i, mind in enumerate(self._minds)],
-            percepts.condition.touched,
-        )
+        each = [
+            mind.decide(_percept(i, percepts)) for i, mind in enumerate(self._minds)
+        ]
+        return self._together(each, percepts.condition.touched)
 
-    def _together(
-        self, intentions: Sequence[Intention], touched: Mask | None = None
-    ) -> Intentions:
-        """Everybody's intentions; a wish that was fulfilled is over."""
-        before, self._wishes = self._wishes, [each.wish for each in intentions]
-        changed = [new != old for new, old in zip(self._wishes, before, strict=True)]
+    def _together(self, each: Sequence[Intention], touched: Mask) -> Intentions:
+        """Puts everybody's intentions together, and finds whose wish is another."""
+        before, self._wishes = self._wishes, [one.wish for one in each]
+        differs = [new != old for new, old in zip(self._wishes, before, strict=True)]
         return Intentions(
-            place=np.array([each.place for each in intentions], dtype=np.intp),
-            look=np.array([each.look for each in intentions], dtype=np.intp),
-            eyes_open=np.array([each.eyes_open for each in intentions]),
+            place=np.array([one.place for one in each], dtype=np.intp),
+            look=np.array([one.look for one in each], dtype=np.intp),
+            eyes_open=np.array([one.eyes_open for one in each]),
             wishes=self._wishes,
-            changed=np.array(changed) if touched is None else touched | changed,
+            changed=touched | np.array(differs),
         )
 
 
