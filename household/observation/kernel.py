@@ -13,8 +13,8 @@ from household.activity import Activity
 from household.compiled.arrays import Floats, Indices, Integers, Mask, Singles
 from household.compiled.jit import compiled
 
-REACH = 10.0
-"""Distances are given in units of this [m], cut at 1: about the size of a home."""
+DISTANCE_SCALE = 10.0
+"""Offsets are given in units of this [m], cut at 1: about the size of a home."""
 
 N_ROLES = len(Activity)
 NO_ROLE = int(Activity.UNKNOWN)
@@ -120,8 +120,8 @@ def _write_other_robot(
 
 @compiled
 def _offset(position: Floats, viewer: int, j: int, axis: int) -> float:
-    """How far j is from a viewer along an axis, in units of `REACH`."""
-    offset = (position[j, axis] - position[viewer, axis]) / REACH
+    """How far j is from a viewer along an axis, in units of `DISTANCE_SCALE`."""
+    offset = (position[j, axis] - position[viewer, axis]) / DISTANCE_SCALE
     return min(max(offset, -1.0), 1.0)
 
 

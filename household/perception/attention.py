@@ -25,7 +25,9 @@ class AttentionModel(NamedTuple):
 
 
 @compiled
-def distribute(entities: Entities, model: AttentionModel, relations: Relations) -> None:
+def distribute_attention(
+    entities: Entities, model: AttentionModel, relations: Relations
+) -> None:
     """Works out the attention matrix: which share of its attention each gives to each.
 
     For observer i and entity j, with mass over distance squared after Maisonnasse

@@ -5,7 +5,7 @@ import numpy as np
 from household.compiled.arrays import Floats, Zeros, new_zeros
 from household.compiled.jit import bind, compiled
 from household.home.floorplan import FloorPlan
-from household.perception.attention import AttentionModel, attend, distribute
+from household.perception.attention import AttentionModel, attend, distribute_attention
 from household.perception.hearing import Acoustics, attenuate, hear
 from household.perception.obstruction import (
     Barriers,
@@ -18,7 +18,7 @@ from household.scenario.scenario import PerceptionModel
 from household.state import Stateful
 
 BATCH = 16
-"""So many segments the processor looks at in one go; the rest it takes one by one."""
+"""Segments that the processor handles at once; those left over are taken one by one."""
 
 
 class Senses(Stateful):
@@ -117,7 +117,7 @@ def _perceive(
     """
     update_obstructions(obstructions, barriers, entities.position)
     see(entities, obstructions.hidden, relations)
-    distribute(entities, model, relations)
+    distribute_attention(entities, model, relations)
     attenuate(obstructions, acoustics, relations.loss)
     hear(entities.source, relations.loss, relations.level)
     return attend(model, now, relations)

@@ -15,17 +15,18 @@ from household.simulation.random_streams import Draws
 from household.state import Stateful
 
 DRAWS = 2
-"""For each robot in each moment: whether to react, and whether it goes wrong."""
+"""For each robot in each moment: whether to react, and whether by mistake in the wrong
+way."""
 
 
-class Givers(NamedTuple):
-    """Those who give feedback.
+class FeedbackState(NamedTuple):
+    """What everybody is out to do, and how welcome politeness is to each.
 
     Attributes:
         target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
-        about: Index of the robot whose bout that is about, shape (n_people,).
+        about: Index of the robot whose bout the touch is about, shape (n_people,).
         praises: Whether it is to be a caress, shape (n_people,).
-        waited: For how long each has wanted to already, shape (n_people,) [s].
+        waited: How long each has had its wish, shape (n_people,) [s].
         changed: Whose wish is another than before, shape (n_people,).
         freshness: How welcome each robot's politeness still is to each, in [0, 1],
             shape (n_people, n_robots).
@@ -53,11 +54,11 @@ class FeedbackGiving(Stateful):
 
     Attributes:
         wishes: The touch that each person is out to give, if any.
-        changed: Whose wish is another than before it was last considered, shape (n,).
-        target: Index of the robot that each is out to touch, or `NOBODY`, shape (n,).
+        changed: Whose wish changed when it was last considered, shape (n_people,).
+        target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
     """
 
-    STATE = ("_draws", "_givers", "wishes")
+    STATE = ("_draws", "_state", "wishes")
 
     def __init__(
         self,
@@ -68,7 +69,7 @@ class FeedbackGiving(Stateful):
         n = len(personas)
         self._draws = Draws(rngs, DRAWS * n_robots)
         self.wishes: list[Wish | None] = [None] * n
-        self._givers = Givers(
+        self._state = FeedbackState(
             target=np.full(n, NOBODY, np.intp),
             about=np.full(n, NOBODY, np.intp),
             praises=np.zeros(n, np.bool_),
@@ -76,9 +77,9 @@ class FeedbackGiving(Stateful):
             changed=np.zeros(n, np.bool_),
             freshness=np.ones((n, n_robots)),
         )
-        self.changed = self._givers.changed
-        self.target = self._givers.target
-        self._consider = bind(_consider, self._givers, traits_of(personas))
+        self.changed = self._state.changed
+        self.target = self._state.target
+        self._consider = bind(_consider, self._state, traits_of(personas))
 
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfills or drops wishes."""
@@ -91,12 +92,12 @@ class FeedbackGiving(Stateful):
 
     def _wish(self, i: int, percepts: Percepts) -> Wish | None:
         """What a person is out to do from now on."""
-        robot, about = int(self._givers.target[i]), int(self._givers.about[i])
+        robot, about = int(self._state.target[i]), int(self._state.about[i])
         if robot == NOBODY:
             return None
         return Wish(
             robot=robot,
-            kind="caress" if self._givers.praises[i] else "tap",
+            kind="caress" if self._state.praises[i] else "tap",
             strength=abs(float(percepts.appraisals.value[i, about])),
             cause=percepts.cause(about, percepts.time),
         )
@@ -104,7 +105,7 @@ class FeedbackGiving(Stateful):
 
 @compiled
 def _consider(
-    givers: Givers,
+    state: FeedbackState,
     traits: Traits,
     appraisals: Appraisals,
     condition: Condition,
@@ -114,7 +115,7 @@ def _consider(
     """What everybody perceived makes it used to politeness, and sometimes react.
 
     Args:
-        givers: Everybody; changed in place.
+        state: Brought up to date in place.
         traits: Of each person, shape (n_people,).
         appraisals: What everybody thinks of what the robots do.
         condition: How everybody is doing.
@@ -124,10 +125,10 @@ def _consider(
     Returns:
         Whether anybody is out to do something else than before.
     """
-    target, waited, changed = givers.target, givers.waited, givers.changed
+    target, waited, changed = state.target, state.waited, state.changed
     anybody = False
     for i in range(len(target)):
-        fresh, persona = givers.freshness[i], traits[i]
+        fresh, persona = state.freshness[i], traits[i]
         _recover(fresh, appraisals.pleasing[i], period, persona)
         waited[i] += period
         ends = condition.touched[i] or waited[i] > persona["patience"]
@@ -146,8 +147,8 @@ def _consider(
             fresh[robot] = _used_to(fresh[robot], liked, persona)
             calls = calls_for_feedback(liked, appraisals.attending[i, r], persona)
             if ready and calls and target[i] == NOBODY:
-                target[i], givers.about[i], waited[i] = robot, r, 0.0
-                givers.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
+                target[i], state.about[i], waited[i] = robot, r, 0.0
+                state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
                 changed[i] = True
         anybody |= changed[i]
     return anybody

@@ -26,8 +26,8 @@ MOVING = 0.5
 noise close by (our choice)."""
 
 
-class Lookers(NamedTuple):
-    """Those who look around.
+class GazeState(NamedTuple):
+    """Where everybody looks, and for how long.
 
     Attributes:
         look: Index of the entity that each looks at, or `OWN_ACTIVITY`, (n_people,).
@@ -70,23 +70,23 @@ class Gaze(Stateful):
         eyes_open: False in sleep, shape (n_people,).
     """
 
-    STATE = ("_draws", "_lookers")
+    STATE = ("_draws", "_state")
 
     def __init__(
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
         n = len(personas)
         self._draws = Draws(rngs, DRAWS)
-        self._lookers = Lookers(
+        self._state = GazeState(
             look=np.full(n, OWN_ACTIVITY, np.intp),
             eyes_open=np.ones(n, np.bool_),
             habit=np.full(n, OWN_ACTIVITY, np.intp),
             left=np.zeros(n),
             awake=np.zeros(n),
         )
-        self.look = self._lookers.look
-        self.eyes_open = self._lookers.eyes_open
-        self._turn = bind(_turn, self._lookers, traits_of(personas))
+        self.look = self._state.look
+        self.eyes_open = self._state.eyes_open
+        self._turn = bind(_turn, self._state, traits_of(personas))
 
     def turn(self, percepts: Percepts, aims: Aims) -> None:
         """Turns everybody's gaze.
@@ -106,7 +106,7 @@ class Gaze(Stateful):
 
 @compiled
 def _turn(
-    lookers: Lookers,
+    state: GazeState,
     traits: Traits,
     condition: Condition,
     surroundings: Surroundings,
@@ -120,7 +120,7 @@ def _turn(
     are closed in bed, unless a robot's noise just woke the sleeper.
 
     Args:
-        lookers: Everybody; changed in place.
+        state: Brought up to date in place.
         traits: Of each person, shape (n_people,).
         condition: How everybody is doing.
         surroundings: What goes on around everybody.
@@ -128,13 +128,13 @@ def _turn(
         period: Time since the last call [s].
         draws: Uniform numbers, shape (n_people, DRAWS).
     """
-    habit, left, awake = lookers.habit, lookers.left, lookers.awake
+    habit, left, awake = state.habit, state.left, state.awake
     routine, target, level = aims.routine, aims.target, surroundings.level
     n = len(routine)
     for i in range(n):
         left[i] -= period
         moves, startles, where, dwell = draws[i]
-        robot, strength = _most_striking(surroundings, i)
+        robot, strength = _most_salient(surroundings, i)
         startled = startles < traits[i]["reflex"] * strength
         if startled or left[i] <= 0.0:
             n_robots = len(surroundings.moving)
@@ -142,21 +142,21 @@ def _turn(
             habit[i] = robot if startled else drawn
             left[i] = -math.log(1.0 - dwell) * traits[i]["gaze_dwell"]
         if target[i] != NOBODY:
-            lookers.look[i], lookers.eyes_open[i] = n + target[i], True
+            state.look[i], state.eyes_open[i] = n + target[i], True
             continue
-        lookers.look[i] = habit[i] if routine[i] == OWN_ACTIVITY else routine[i]
+        state.look[i] = habit[i] if routine[i] == OWN_ACTIVITY else routine[i]
         awake[i] -= period
         if level[i, n:].max() >= traits[i]["wakes_at"]:
             awake[i] = traits[i]["awake_for"]
         in_bed = condition.arrived[i] and condition.activity[i] == SLEEPING
-        lookers.eyes_open[i] = not (in_bed and awake[i] <= 0.0)
+        state.eyes_open[i] = not (in_bed and awake[i] <= 0.0)
 
 
 @compiled
-def _most_striking(surroundings: Surroundings, i: int) -> tuple[int, float]:
-    """The robot that draws somebody's eye most, and how strongly, in [0, 1].
+def _most_salient(surroundings: Surroundings, i: int) -> tuple[int, float]:
+    """The robot that draws a person's eye most, and how strongly, in [0, 1].
 
-    Of two that draw it alike it is the louder, then the last.
+    Of two that draw it equally, it is the louder one, then the last.
     """
     level, sees, moving = (
         surroundings.level[i],
@@ -164,15 +164,15 @@ def _most_striking(surroundings: Surroundings, i: int) -> tuple[int, float]:
         surroundings.moving,
     )
     n_people = len(level) - len(moving)
-    striking, most, loudest = n_people, -1.0, -1.0
+    salient, most, loudest = n_people, -1.0, -1.0
     for robot in range(n_people, len(level)):
         seen_moving = sees[robot] and moving[robot - n_people]
         heard = float(heard_strength(level[robot]))
         strength = max(heard, MOVING if seen_moving else 0.0)
         louder = strength == most and level[robot] >= loudest
         if strength > most or louder:
-            striking, most, loudest = robot, strength, level[robot]
-    return striking, most
+            salient, most, loudest = robot, strength, level[robot]
+    return salient, most
 
 
 @compiled
@@ -184,7 +184,7 @@ def _drawn(
     where: float,
     traits: Traits,
 ) -> int:
-    """What somebody looks at next, by its interests."""
+    """What a person looks at next, by its interests."""
     robots, people = traits[myself]["robot_interest"], traits[myself]["people_interest"]
     if moves < robots:
         return n_people + int(where * n_robots)

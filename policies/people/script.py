@@ -43,7 +43,7 @@ class Script(Stateful):
     Attributes:
         lasts: Time to be spent in the place of the present line [s].
         until: When the line ends at the latest [s].
-        look_lasts: Time there until the look is to be turned, to or away [s].
+        look_lasts: Time there until the person looks away, or back again [s].
     """
 
     STATE = ("_rng", "_index", "_looks", "lasts", "until", "look_lasts")
