@@ -216,9 +216,12 @@ class People(Stateful):
         self.look[:] = intentions.look
         self.appearance.eyes_open[:] = intentions.eyes_open
         self._claim_places(intentions.place.tolist())
-        changed = [i for i, new in enumerate(intentions.changed.tolist()) if new]
-        self.wishes.take_up(intentions.wishes, changed)
-        return changed
+        changed = intentions.changed.tolist()
+        if True not in changed:
+            return []
+        who = [i for i, new in enumerate(changed) if new]
+        self.wishes.take_up(intentions.wishes, who)
+        return who
 
     def _claim_places(self, intended: list[int]) -> None:
         """Who intends to be elsewhere gets a spot there."""

@@ -56,12 +56,13 @@ class EverydayMinds(Minds, Stateful):
 
     def _intended(self) -> Intentions:
         """The same arrays as before, with new values in them."""
+        gaze, giving = self._gaze, self._giving
         return Intentions(
-            place=self._routines.place,
-            look=self._gaze.look,
-            eyes_open=self._gaze.eyes_open,
-            wishes=self._giving.wishes,
-            changed=self._giving.changed,
+            self._routines.place,
+            gaze.look,
+            gaze.eyes_open,
+            giving.wishes,
+            giving.changed,
         )
 
 
