@@ -291,8 +291,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
     def _seen(self) -> tuple[Situation, ...]:
         """The situation as each robot sees it now; read anew in another revision."""
         if self.simulation.revision != self._revision:
-            people, senses = self.simulation.people, self.simulation.senses
-            self._read = self._situations.seen(people.activity, senses.attends)
+            activity = self.simulation.people.appearance.activity
+            attends = self.simulation.senses.relations.attends
+            self._read = self._situations.seen(activity, attends)
             self._revision = self.simulation.revision
         return self._read
 
@@ -320,9 +321,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         self._check_begun()
         n = len(self.simulation.people.everyone)
-        return (
-            True in self.simulation.senses.attends[:n, n + self._index[agent]].tolist()
-        )
+        attends = self.simulation.senses.relations.attends
+        return True in attends[:n, n + self._index[agent]].tolist()
 
     def appropriateness(self, agent: str) -> Floats:
         """What the people present would think of each behavior now.

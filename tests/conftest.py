@@ -11,7 +11,7 @@ from household.compiled.jit import CHECKED
 from household.config.toml import shipped
 from household.feedback import Cause
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
-from household.people.mind import Judgements, Percepts
+from household.people.mind import Appraisals, Condition, Percepts, Surroundings
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
 
 os.environ[CHECKED] = "1"
@@ -89,7 +89,7 @@ def household_of(room):
 def percepts():
     """Makes what people perceive in a quiet moment, everybody the same.
 
-    ``bouts`` are what each judges now: (value, robot, whether it attended to it).
+    ``bouts`` are what each appraises now: (value, robot, whether it attended to it).
     """
 
     def make(
@@ -98,16 +98,16 @@ def percepts():
         bouts: tuple[tuple[float, int, bool], ...] = (),
         **changes: object,
     ) -> Percepts:
-        judgements = Judgements(
-            new=np.zeros((n, robots), dtype=bool),
-            value=np.zeros((n, robots)),
-            believed=np.zeros((n, robots), dtype=np.intp),
-            attending=np.zeros((n, robots), dtype=bool),
-        )
+        arrays = {
+            "new": np.zeros((n, robots), dtype=bool),
+            "value": np.zeros((n, robots)),
+            "believed": np.zeros((n, robots), dtype=np.intp),
+            "attending": np.zeros((n, robots), dtype=bool),
+        }
         for place, bout in enumerate(bouts):
-            for array, told in zip(judgements, (True, *bout), strict=True):
-                array[:, place] = told
-        shapes = {
+            for array, found in zip(arrays.values(), (True, *bout), strict=True):
+                array[:, place] = found
+        usual = {
             "activity": (int(Activity.PLAYING), np.intp, (n,)),
             "arrived": (True, bool, (n,)),
             "touched": (False, bool, (n,)),
@@ -117,17 +117,21 @@ def percepts():
             "sees": (False, bool, (n, n + robots)),
             "level": (0.0, float, (n, n + robots)),
         }
-        arrays = {
-            name: np.broadcast_to(
-                np.asarray(changes.pop(name, usual), dtype=kind), shape
-            ).copy()
-            for name, (usual, kind, shape) in shapes.items()
+        for name, (value, kind, shape) in usual.items():
+            filled = np.asarray(changes.pop(name, value), dtype=kind)
+            arrays[name] = np.broadcast_to(filled, shape).copy()
+        records = {
+            name: kind(**{field: arrays[field] for field in kind._fields})
+            for name, kind in (
+                ("condition", Condition),
+                ("surroundings", Surroundings),
+                ("appraisals", Appraisals),
+            )
         }
         clock = {"time": 0.0, "period": 1.0}
         return Percepts(
-            judgements=judgements,
             cause=lambda robot, now: Cause(f"robot_{robot}", 7, 0, now),
-            **arrays,
+            **records,
             **(clock | changes),
         )
 

@@ -22,7 +22,7 @@ PARTS = {
     "everybody walks, people touch": "simulation._walk_and_touch",
     "heads turn": "simulation._look_around",
     "everybody perceives": "simulation._perceive",
-    "people judge": "simulation.people.judge",
+    "people appraise": "simulation.people.appraise",
     "people decide and set out": "simulation.people.decide",
     "observations, situations, infos": "_results",
 }

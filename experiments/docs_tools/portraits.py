@@ -1,4 +1,4 @@
-"""Portraits of the shipped personas: how readily each turns what it thinks into touch.
+"""Portraits of the shipped personas: how often each answers a bout with a touch.
 
 Run as `python -m experiments.docs_tools.portraits`; prints the table of docs/people.md.
 """
@@ -16,10 +16,12 @@ from household.people.mind import Intentions, Minds, Percepts
 from household.people.traits import traits_of
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario
 from policies.people import make_minds
-from policies.people.giving import calls_for_feedback
+from policies.people.feedback_giving import calls_for_feedback
 
 HOURS, SEEDS = 1, 3
 """Each persona is watched for this long with each of the first seeds."""
+
+PLURAL = {"caress": "caresses", "tap": "taps"}
 
 HEADER = (
     "| persona | pleased | caresses | annoyed | taps | caresses per pleasing bout | "
@@ -27,8 +29,8 @@ HEADER = (
 )
 
 
-class Witness(Minds):
-    """Counts what a person thinks and leaves its decisions as they are."""
+class CountingMinds(Minds):
+    """Counts what a person thinks of the robot; decides as its mind does."""
 
     def __init__(self, scenario: Scenario, counts: Counter[str]) -> None:
         self._minds = make_minds(scenario)
@@ -36,20 +38,21 @@ class Witness(Minds):
         self._counts = counts
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
-        """As the mind itself."""
+        """As the person's mind does."""
         return self._minds.reset(rngs)
 
     def decide(self, percepts: Percepts) -> Intentions:
-        """As the mind itself; bouts that call for no feedback are not counted."""
-        new, values, _, attending = percepts.judgements
-        for value, attends in zip(values[new], attending[new], strict=True):
+        """As the person's mind does; counts the bouts that call for feedback."""
+        found = percepts.appraisals
+        values, attending = found.value[found.new], found.attending[found.new]
+        for value, attends in zip(values, attending, strict=True):
             if calls_for_feedback(value, attends, self._traits):
                 self._counts["pleased" if value > 0.0 else "annoyed"] += 1
         return self._minds.decide(percepts)
 
 
 def watch(persona: str, seed: int) -> Counter[str]:
-    """Counts of one person with a robot that does whatever comes to its mind.
+    """Watches one person with a robot that acts at random.
 
     Args:
         persona: Name of a shipped persona.
@@ -60,16 +63,14 @@ def watch(persona: str, seed: int) -> Counter[str]:
         caressed and tapped.
     """
     counts: Counter[str] = Counter()
-
-    env = Household(_at_home(persona), lambda scenario: Witness(scenario, counts))
+    env = Household(_at_home(persona), lambda scenario: CountingMinds(scenario, counts))
     env.reset(seed=seed)
     rng = np.random.default_rng(seed)
     while env.agents:
         bout = env.behavior("robot_0").behavior
         over = env.behavior_over("robot_0")
         env.step({"robot_0": int(rng.integers(len(env.behaviors))) if over else bout})
-        kinds = {"caress": "caresses", "tap": "taps"}
-        counts.update(kinds[touch.kind] for touch in env.feedback("robot_0"))
+        counts.update(PLURAL[touch.kind] for touch in env.feedback("robot_0"))
     return counts
 
 

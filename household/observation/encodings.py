@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from household.activity import Activity
 from household.compiled.arrays import Singles
-from household.compiled.jit import SINGLES_2D, bind
-from household.observation.kernel import VIEW, View, tell_features, tell_situations
+from household.compiled.jit import bind
+from household.observation.kernel import View, write_features, write_situations
 from household.scenario.scenario import Scenario
 
 
@@ -91,17 +91,16 @@ class Features:
         self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
         self._shape = (len(scenario.robots), ends[-1])
         places = tuple(place.start for place in self.layout.values())
-        self._tell = bind(
-            tell_features,
+        self._write = bind(
+            write_features,
             np.array([places], dtype=PLACES),
             len(scenario.behaviors),
-            then=(SINGLES_2D, *VIEW),
         )
 
     def encode(self, view: View) -> Singles:
         """Every robot's observation, a new array of shape (n_robots, length)."""
         rows = np.zeros(self._shape, np.float32)
-        self._tell(rows, *view)
+        self._write(rows, view)
         return rows
 
 
@@ -126,7 +125,7 @@ class Situations:
         """Every robot's observation; padding is `UNKNOWN` and unattending."""
         activities = np.empty(self._shape, np.int64)
         attention = np.empty(self._shape, np.int8)
-        tell_situations(activities, attention, view.activity, view.attends)
+        write_situations(activities, attention, view.activity, view.attends)
         return [
             {"activities": roles, "attention": looks}
             for roles, looks in zip(activities, attention, strict=True)

@@ -1,27 +1,20 @@
-"""Telling robots of a moment: what they may know of it, and the loops that write it.
+"""What robots may know of a moment, and the loops that write it into observations.
 
 Compiled with Numba, as it happens at every step, and NumPy, field by field, takes
 many times as long.
 """
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import Activity
 from household.compiled.arrays import Floats, Indices, Integers, Mask, Singles
-from household.compiled.jit import (
-    FLOATS,
-    FLOATS_2D,
-    INDICES,
-    MASK,
-    MASK_2D,
-    compiled,
-)
+from household.compiled.jit import compiled
 
-REACH = 10.0
-"""Distances are given in units of this [m], cut at 1: about the size of a home."""
+DISTANCE_SCALE = 10.0
+"""Offsets are given in units of this [m], cut at 1: about the size of a home."""
 
 N_ROLES = len(Activity)
 NO_ROLE = int(Activity.UNKNOWN)
@@ -39,7 +32,7 @@ class View(NamedTuple):
         facing: Cosine of the angle between the gaze of i and the direction to j,
             shape (n, n).
         attends: Who attends to whom, shape (n, n).
-        attention: How much, shape (n, n).
+        attention: Share of its attention that i gives to j, shape (n, n).
         walking: Who is on its way, shape (n,).
         activity: Roles, shape (n_people,).
         mood: Moods as each robot perceives them, shape (n_robots, n_people).
@@ -49,34 +42,45 @@ class View(NamedTuple):
             shape (n_robots, 2), both in [0, 1].
     """
 
-    position: Floats
-    facing: Floats
-    attends: Mask
-    attention: Floats
-    walking: Mask
-    activity: NDArray[np.int_]
-    mood: Floats
-    behavior: Indices
-    left: Floats
-    touches: Floats
-
-
-VIEW = (
-    *(FLOATS_2D, FLOATS_2D, MASK_2D, FLOATS_2D),
-    *(MASK, INDICES, FLOATS_2D, INDICES, FLOATS, FLOATS_2D),
-)
-"""What `View` holds, for `bind`."""
+    position: Annotated[Floats, "n", 2]
+    facing: Annotated[Floats, "n", "n"]
+    attends: Annotated[Mask, "n", "n"]
+    attention: Annotated[Floats, "n", "n"]
+    walking: Annotated[Mask, "n"]
+    activity: Annotated[Indices, "n_people"]
+    mood: Annotated[Floats, "n_robots", "n_people"]
+    behavior: Annotated[Indices, "n_robots"]
+    left: Annotated[Floats, "n_robots"]
+    touches: Annotated[Floats, "n_robots", 2]
 
 
 @compiled
-def _in_reach(position: Floats, viewer: int, j: int, axis: int) -> float:
-    """How far j is from a viewer along an axis, in units of `REACH`."""
-    offset = (position[j, axis] - position[viewer, axis]) / REACH
-    return min(max(offset, -1.0), 1.0)
+def write_features(
+    places: NDArray[np.void],
+    n_behaviors: int,
+    rows: Annotated[Singles, "n_robots", "length"],
+    view: View,
+) -> None:
+    """Writes every robot's observation into its row.
+
+    Args:
+        places: Where each field begins, by its name, shape (1,).
+        n_behaviors: How many behaviors the robots can choose.
+        rows: Shape (n_robots, length), holding zeros.
+        view: What robots may know.
+    """
+    n_robots = len(rows)
+    for robot in range(n_robots):
+        row, at = rows[robot], places[0]
+        _write_self(row, at, view, robot)
+        for i in range(len(view.activity)):
+            _write_person(row, at, view, robot, i)
+        for slot in range(n_robots - 1):
+            _write_other_robot(row, at, view, robot, slot, n_behaviors)
 
 
 @compiled
-def _tell_of_itself(row: Singles, at: np.void, view: View, robot: int) -> None:
+def _write_self(row: Singles, at: np.void, view: View, robot: int) -> None:
     """Writes the fields of the slot "self"."""
     if view.behavior[robot] >= 0:
         row[at["own_behavior"] + view.behavior[robot]] = 1.0
@@ -86,12 +90,12 @@ def _tell_of_itself(row: Singles, at: np.void, view: View, robot: int) -> None:
 
 
 @compiled
-def _tell_of_person(row: Singles, at: np.void, view: View, robot: int, i: int) -> None:
+def _write_person(row: Singles, at: np.void, view: View, robot: int, i: int) -> None:
     """Writes the fields of the slot of a person."""
     me = len(view.activity) + robot
     row[at["person_here"] + i] = 1.0
-    row[at["person_offset"] + 2 * i] = _in_reach(view.position, me, i, 0)
-    row[at["person_offset"] + 2 * i + 1] = _in_reach(view.position, me, i, 1)
+    row[at["person_offset"] + 2 * i] = _offset(view.position, me, i, 0)
+    row[at["person_offset"] + 2 * i + 1] = _offset(view.position, me, i, 1)
     row[at["person_activity"] + N_ROLES * i + view.activity[i]] = 1.0
     row[at["person_walks"] + i] = view.walking[i]
     row[at["person_attends"] + i] = view.attends[i, me]
@@ -101,87 +105,37 @@ def _tell_of_person(row: Singles, at: np.void, view: View, robot: int, i: int) -
 
 
 @compiled
-def _tell_of_robot(
+def _write_other_robot(
     row: Singles, at: np.void, view: View, robot: int, slot: int, n_behaviors: int
 ) -> None:
     """Writes the fields of the slot of another robot."""
     other = slot if slot < robot else slot + 1
     me, it = len(view.activity) + robot, len(view.activity) + other
     row[at["robot_here"] + slot] = 1.0
-    row[at["robot_offset"] + 2 * slot] = _in_reach(view.position, me, it, 0)
-    row[at["robot_offset"] + 2 * slot + 1] = _in_reach(view.position, me, it, 1)
+    row[at["robot_offset"] + 2 * slot] = _offset(view.position, me, it, 0)
+    row[at["robot_offset"] + 2 * slot + 1] = _offset(view.position, me, it, 1)
     if view.behavior[other] >= 0:
         row[at["robot_behavior"] + n_behaviors * slot + view.behavior[other]] = 1.0
 
 
 @compiled
-def tell_features(
-    places: NDArray[np.void],
-    n_behaviors: int,
-    rows: Singles,
-    position: Floats,
-    facing: Floats,
-    attends: Mask,
-    attention: Floats,
-    walking: Mask,
-    activity: NDArray[np.int_],
-    mood: Floats,
-    behavior: Indices,
-    left: Floats,
-    touches: Floats,
-) -> None:
-    """Writes every robot's observation into its row.
-
-    Args:
-        places: Where each field begins, by its name, shape (1,).
-        n_behaviors: How many behaviors the robots can choose.
-        rows: Shape (n_robots, length), holding zeros.
-        position: As in `View`, like all that follow.
-        facing: Shape (n, n).
-        attends: Shape (n, n).
-        attention: Shape (n, n).
-        walking: Shape (n,).
-        activity: Shape (n_people,).
-        mood: Shape (n_robots, n_people).
-        behavior: Shape (n_robots,).
-        left: Shape (n_robots,).
-        touches: Shape (n_robots, 2).
-    """
-    view = View(
-        position,
-        facing,
-        attends,
-        attention,
-        walking,
-        activity,
-        mood,
-        behavior,
-        left,
-        touches,
-    )
-    for robot in range(len(rows)):
-        row, at = rows[robot], places[0]
-        _tell_of_itself(row, at, view, robot)
-        for i in range(len(view.activity)):
-            _tell_of_person(row, at, view, robot, i)
-        for slot in range(len(rows) - 1):
-            _tell_of_robot(row, at, view, robot, slot, n_behaviors)
+def _offset(position: Floats, viewer: int, j: int, axis: int) -> float:
+    """How far j is from a viewer along an axis, in units of `DISTANCE_SCALE`."""
+    offset = (position[j, axis] - position[viewer, axis]) / DISTANCE_SCALE
+    return min(max(offset, -1.0), 1.0)
 
 
 @compiled
-def tell_situations(
-    activities: Integers,
-    attention: NDArray[np.int8],
-    activity: NDArray[np.int_],
-    attends: Mask,
+def write_situations(
+    activities: Integers, attention: NDArray[np.int8], activity: Indices, attends: Mask
 ) -> None:
-    """Writes every robot's situation into its rows.
+    """Writes every robot's situation into its rows; padding is `NO_ROLE` and 0.
 
     Args:
         activities: Shape (n_robots, n_slots).
         attention: Shape (n_robots, n_slots).
-        activity: As in `View`.
-        attends: As in `View`.
+        activity: Roles, shape (n_people,).
+        attends: Who attends to whom, people first, shape (n, n).
     """
     n_people = len(activity)
     activities[:] = NO_ROLE

@@ -1,22 +1,24 @@
 """Appraisal: what a person privately thinks of what a robot does.
 
-A person judges each bout of behavior once, when it first sees or hears it well
+A person appraises each bout of behavior once, when it first sees or hears it well
 enough: its preference times how strongly it perceived the bout.
 """
 
 from collections.abc import Sequence
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from household.activity import Activity
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
-from household.people.mind import Judgements
+from household.people.appearance import Appearance
+from household.people.mind import Appraisals
 from household.people.person import Person
-from household.people.traits import Traits, traits_of
+from household.people.traits import Traits
+from household.perception.relations import Relations
 from household.scenario.norms import norm_table
 from household.scenario.scenario import Scenario
-from household.state import Stateful
 
 AUDIBLE = 40.0
 """Level at the ear from which a sound is noticed [dB]: a quiet room."""
@@ -28,53 +30,30 @@ SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
 
 
-class Appraisals(Stateful):
-    """What everybody privately thinks of what the robots do.
+class Preferences:
+    """What people find polite, in the order of the scenario.
 
     Args:
         scenario: Holds the household's norms and how far people depart from them.
         everyone: The people, with their preferences.
 
     Attributes:
-        judgements: What everybody thinks of the bouts that are new to it.
-        pleasing: Whether each robot does what pleases each person, (n, n_robots).
-        arrays: What `appraise` is to be given first.
+        values: Shape (n, n_activities, 2, n_behaviors), in [-1, 1]; the third axis
+            says whether the person attends to the robot.
     """
 
-    STATE = ("_judged", "pleasing", "judgements")
-
     def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
-        n, n_robots = len(everyone), len(scenario.robots)
+        n = len(everyone)
         # Tastes are drawn round 0, so that on average the norms are left of them.
         norms = norm_table(scenario.household_norms, scenario.behaviors)
         average = (1.0 - scenario.heterogeneity) * norms
         self._average = np.array([average] * n)
-        self._preferences = np.array([p.preferences for p in everyone]).reshape(
+        self.values = np.array([p.preferences for p in everyone]).reshape(
             n, len(Activity), 2, -1
         )
         self._rows = np.arange(n)[:, None]
-        # The decision at which the bout of each robot began that each last judged.
-        self._judged = np.full((n, n_robots), -1, np.intp)
-        self.pleasing = np.zeros((n, n_robots), np.bool_)
-        self.judgements = Judgements(
-            new=np.zeros((n, n_robots), np.bool_),
-            value=np.zeros((n, n_robots)),
-            believed=np.zeros((n, n_robots), np.intp),
-            attending=np.zeros((n, n_robots), np.bool_),
-        )
-        self.arrays = (
-            *self.judgements,
-            self.pleasing,
-            self._judged,
-            self._preferences,
-            traits_of([person.persona for person in everyone]),
-        )
 
-    def forget(self) -> None:
-        """Begins a new episode: nobody has judged anything yet."""
-        self._judged[:] = -1
-
-    def preferred(
+    def now(
         self, activity: Indices, attends: Mask, *, on_average: bool = False
     ) -> Floats:
         """What everybody prefers of each robot right now.
@@ -87,11 +66,47 @@ class Appraisals(Stateful):
         Returns:
             Shape (n, n_robots, n_behaviors), in [-1, 1].
         """
-        preferences = self._average if on_average else self._preferences
-        chosen: Floats = preferences[
+        values = self._average if on_average else self.values
+        preferred: Floats = values[
             self._rows, activity[:, None], attends.astype(np.intp)
         ]
-        return chosen
+        return preferred
+
+
+class Appraisers(NamedTuple):
+    """Those who appraise.
+
+    Attributes:
+        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        last: The decision at which the bout of each robot began that each person last
+            appraised, -1 before the first, shape (n_people, n_robots).
+    """
+
+    preferences: Annotated[Floats, "n_people", "n_activities", 2, "n_behaviors"]
+    last: Annotated[Indices, "n_people", "n_robots"]
+
+
+class Bouts(NamedTuple):
+    """What the robots are doing.
+
+    Attributes:
+        behavior: Index of each robot's behavior, -1 for none, shape (n_robots,).
+        begun: The decision at which each began it, shape (n_robots,).
+    """
+
+    behavior: Annotated[Indices, "n_robots"]
+    begun: Annotated[Indices, "n_robots"]
+
+
+def no_appraisals(n: int, n_robots: int) -> Appraisals:
+    """Room for what so many people think of so many robots."""
+    return Appraisals(
+        new=np.zeros((n, n_robots), np.bool_),
+        value=np.zeros((n, n_robots)),
+        believed=np.zeros((n, n_robots), np.intp),
+        attending=np.zeros((n, n_robots), np.bool_),
+        pleasing=np.zeros((n, n_robots), np.bool_),
+    )
 
 
 @compiled
@@ -116,64 +131,48 @@ def seen_strength(attention: Floats | float) -> Floats:
 
 @compiled
 def appraise(
-    new: Mask,
-    value: Floats,
-    believed: Indices,
-    attending: Mask,
-    pleasing: Mask,
-    judged: Indices,
-    preferences: Floats,
+    appraisers: Appraisers,
     traits: Traits,
-    activity: Indices,
-    eyes_open: Mask,
-    doing: Indices,
-    begun: Indices,
-    attends: Mask,
-    attention: Floats,
-    sees: Mask,
-    level: Floats,
+    appraisals: Appraisals,
+    appearance: Appearance,
+    bouts: Bouts,
+    relations: Relations,
 ) -> None:
     """Everybody appraises what each robot does: preference x how well perceived.
 
-    Bouts that somebody appraised before are not new to it. It blames the robot that
-    it saw, else the loudest that it hears.
+    A bout that a person appraised before is not new to it. It blames the robot that it
+    sees, else the loudest that it hears. Sleepers hear only what wakes them.
 
     Args:
-        new: As in `Judgements`, like the three that follow; filled in.
-        value: 0 for what is not perceived.
-        believed: Shape (n_people, n_robots).
-        attending: Shape (n_people, n_robots).
-        pleasing: Whether each robot does what pleases each person, (n_people,
-            n_robots); filled in.
-        judged: Decision at which the bout of each robot began that each person last
-            judged, shape (n_people, n_robots); brought up to date in place.
-        preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
+        appraisers: Everybody; their ``last`` is brought up to date in place.
         traits: Of each person, shape (n_people,).
-        activity: What each person does, shape (n_people,).
-        eyes_open: Who is awake, shape (n_people,); sleepers hear only what wakes them.
-        doing: Index of each robot's behavior, -1 for none, shape (n_robots,).
-        begun: Decision at which each robot began it, shape (n_robots,).
-        attends: Who attends to whom, people first, shape (n, n).
-        attention: How much, shape (n, n).
-        sees: Who sees whom, shape (n, n).
-        level: How loud each hears each, shape (n, n) [dB].
+        appraisals: Filled in; values are 0 for what is not perceived.
+        appearance: What people do, and whose eyes are open.
+        bouts: What the robots do.
+        relations: How well everybody perceives each, people first.
     """
+    last, value = appraisers.last, appraisals.value
     n_people, n_robots = value.shape
     for i in range(n_people):
-        loudest = level[i, n_people:].argmax()
-        hears_from = 0.0 if eyes_open[i] else traits[i]["wakes_at"]
+        heard_levels = relations.level[i, n_people:]
+        loudest = heard_levels.argmax()
+        hears_from = 0.0 if appearance.eyes_open[i] else traits[i]["wakes_at"]
         for r in range(n_robots):
             j = n_people + r
+            attending = relations.attends[i, j]
             value[i, r] = 0.0
-            if doing[r] >= 0:
-                loud = level[i, j] if level[i, j] >= hears_from else 0.0
-                seen, heard = seen_strength(attention[i, j]), heard_strength(loud)
-                looks = int(attends[i, j])
-                liked = preferences[i, activity[i], looks, doing[r]]
+            if bouts.behavior[r] >= 0:
+                level = relations.level[i, j]
+                heard = heard_strength(level if level >= hears_from else 0.0)
+                seen = seen_strength(relations.attention[i, j])
+                liked = appraisers.preferences[
+                    i, appearance.activity[i], int(attending), bouts.behavior[r]
+                ]
                 value[i, r] = max(seen, heard) * liked
-            new[i, r] = value[i, r] != 0.0 and judged[i, r] != begun[r]
-            if new[i, r]:
-                judged[i, r] = begun[r]
-            believed[i, r] = r if sees[i, j] else loudest
-            attending[i, r] = attends[i, j]
-            pleasing[i, r] = value[i, r] > 0.0
+            new = value[i, r] != 0.0 and last[i, r] != bouts.begun[r]
+            if new:
+                last[i, r] = bouts.begun[r]
+            appraisals.new[i, r] = new
+            appraisals.believed[i, r] = r if relations.sees[i, j] else loudest
+            appraisals.attending[i, r] = attending
+            appraisals.pleasing[i, r] = value[i, r] > 0.0

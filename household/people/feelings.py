@@ -2,46 +2,32 @@
 
 import math
 from collections.abc import Sequence
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Indices, Mask, Zeros, new_zeros
+from household.compiled.arrays import Floats, Zeros, new_zeros
 from household.compiled.jit import compiled
+from household.people.mind import Appraisals
 from household.people.traits import Traits
 from household.scenario.persona import Persona
-from household.state import Stateful
 
 
-class Feelings(Stateful):
+class Feelings(NamedTuple):
     """What everybody keeps to itself.
 
-    Args:
-        personas: What kind of person each is.
-        n_robots: How many robots there are.
-        period: Between two decisions [s].
-        zeros: Makes `mood`.
-
     Attributes:
-        mood: In [-1, 1], shape (n,); robots perceive it with noise.
-        pleased: Sum of each person's positive appraisals of each robot, (n, n_robots).
-        annoyed: Sum of its negative ones, as positive numbers, (n, n_robots).
-        arrays: What `live_through` is to be given first.
+        mood: In [-1, 1], shape (n_people,); robots perceive it with noise.
+        pleased: Sum of the positive appraisals of each robot by each person, shape
+            (n_people, n_robots).
+        annoyed: Sum of the negative ones, as positive numbers, (n_people, n_robots).
+        fading: What is left of each mood after a decision period, shape (n_people,).
     """
 
-    STATE = ("mood", "pleased", "annoyed")
-
-    def __init__(
-        self,
-        personas: Sequence[Persona],
-        n_robots: int,
-        period: float,
-        zeros: Zeros = new_zeros,
-    ) -> None:
-        self.mood: Floats = zeros("mood", (len(personas),))
-        self.pleased = np.zeros((len(personas), n_robots))
-        self.annoyed = np.zeros((len(personas), n_robots))
-        fading = [math.exp(-period / persona.mood_recovery) for persona in personas]
-        self.arrays = self.mood, self.pleased, self.annoyed, np.array(fading)
+    mood: Annotated[Floats, "n_people"]
+    pleased: Annotated[Floats, "n_people", "n_robots"]
+    annoyed: Annotated[Floats, "n_people", "n_robots"]
+    fading: Annotated[Floats, "n_people"]
 
     def forget(self) -> None:
         """Begins a new episode."""
@@ -53,38 +39,47 @@ class Feelings(Stateful):
         return opinion(self.pleased[person, robot], self.annoyed[person, robot])
 
 
-@compiled
-def live_through(
-    mood: Floats,
-    pleased: Floats,
-    annoyed: Floats,
-    fading: Floats,
-    new: Mask,
-    value: Floats,
-    believed: Indices,
-    traits: Traits,
-) -> None:
-    """New judgements move moods and are remembered; then moods fade a little.
+def feelings_of(
+    personas: Sequence[Persona],
+    n_robots: int,
+    period: float,
+    zeros: Zeros = new_zeros,
+) -> Feelings:
+    """The feelings of people who have lived through nothing yet.
 
     Args:
-        mood: As in `Feelings`, like the two that follow; brought up to date in place.
-        pleased: Shape (n, n_robots).
-        annoyed: Shape (n, n_robots).
-        fading: What is left of each mood after a decision period, shape (n,).
-        new: As in `Judgements`, like the two that follow.
-        value: Shape (n, n_robots).
-        believed: Shape (n, n_robots).
-        traits: Of each person, shape (n,).
+        personas: What kind of person each is.
+        n_robots: How many robots there are.
+        period: Between two decisions [s].
+        zeros: Makes ``mood``, which is recorded.
     """
+    return Feelings(
+        mood=zeros("mood", (len(personas),)),
+        pleased=np.zeros((len(personas), n_robots)),
+        annoyed=np.zeros((len(personas), n_robots)),
+        fading=np.array([math.exp(-period / each.mood_recovery) for each in personas]),
+    )
+
+
+@compiled
+def live_through(feelings: Feelings, appraisals: Appraisals, traits: Traits) -> None:
+    """New appraisals move moods and are remembered; then moods fade a little.
+
+    Args:
+        feelings: Brought up to date in place.
+        appraisals: What everybody thinks of what the robots do.
+        traits: Of each person, shape (n_people,).
+    """
+    mood, value, believed = feelings.mood, appraisals.value, appraisals.believed
     for i in range(len(mood)):
-        for r in range(new.shape[1]):
-            if new[i, r]:
+        for r in range(value.shape[1]):
+            if appraisals.new[i, r]:
                 mood[i] = moved_mood(mood[i], value[i, r], traits[i]["mood_change"])
                 if value[i, r] > 0.0:
-                    pleased[i, believed[i, r]] += value[i, r]
+                    feelings.pleased[i, believed[i, r]] += value[i, r]
                 else:
-                    annoyed[i, believed[i, r]] -= value[i, r]
-        mood[i] *= fading[i]
+                    feelings.annoyed[i, believed[i, r]] -= value[i, r]
+        mood[i] *= feelings.fading[i]
 
 
 @compiled
@@ -116,15 +111,20 @@ def opinion(pleased: float, annoyed: float) -> int:
 
 
 @compiled
-def misread(mood: Floats, size: float, read: Floats, noise: Floats) -> None:
+def misread(
+    mood: Annotated[Floats, "n_people"],
+    size: float,
+    read: Annotated[Floats, "n_robots", "n_people"],
+    noise: Annotated[Floats, "n_robots", "most_people"],
+) -> None:
     """Moods as robots read them off faces.
 
     Args:
-        mood: Shape (n,).
+        mood: Shape (n_people,).
         size: Standard deviation of the error.
-        read: Shape (n_robots, n), in [-1, 1]; filled in.
-        noise: Standard normal, for as many people as could be there, shape
-            (n_robots, at least n).
+        read: Shape (n_robots, n_people), in [-1, 1]; filled in.
+        noise: Standard normal, for as many people as could be there, shape (n_robots,
+            most_people).
     """
     for robot in range(len(noise)):
         for i in range(len(mood)):

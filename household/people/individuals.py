@@ -15,14 +15,14 @@ ACTIVITIES = tuple(Activity)
 
 
 @dataclass(frozen=True, slots=True)
-class Judgement:
+class Appraisal:
     """What a person thinks of one bout.
 
     Attributes:
         robot: Index of the robot that the person believes it was.
-        value: The appraisal, in [-1, 1].
+        value: How much it likes the bout, in [-1, 1].
         attending: Whether the person attended to what did it.
-        cause: The bout itself; travels along unread, for evaluation.
+        cause: The bout itself; for `Wish.cause`.
     """
 
     robot: int
@@ -42,7 +42,7 @@ class Percept:
         arrived: Whether it is where it intended to be, or as near as others let it.
         touched: Whether its wish to touch was fulfilled in this period.
         mood: Its mood, in [-1, 1].
-        judgements: What it thinks of the bouts that it first perceived now.
+        appraisals: What it thinks of the bouts that it first perceived now.
         pleasing: Whether each robot is doing something that pleases it, (n_robots,).
         moving: Whether each robot is on the move, shape (n_robots,).
         sees: Whether it sees each entity (people first, then robots), shape (n,).
@@ -55,7 +55,7 @@ class Percept:
     arrived: bool
     touched: bool
     mood: float
-    judgements: Sequence[Judgement]
+    appraisals: Sequence[Appraisal]
     pleasing: Mask
     moving: Mask
     sees: Mask
@@ -106,60 +106,71 @@ class Mind(Protocol):
 class Individuals(Minds):
     """People who each have a mind of their own.
 
+    A wish lasts for as long as the mind answers with an equal one, at most until it is
+    fulfilled; an equal one after that is another wish.
+
     Args:
         minds: One for each person, in order.
     """
 
     def __init__(self, minds: Sequence[Mind]) -> None:
         self._minds = minds
+        self._wishes: list[Wish | None] = []
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
         """Begins a new episode for each."""
-        return _together(
-            [mind.reset(rng) for mind, rng in zip(self._minds, rngs, strict=True)]
-        )
+        n = len(self._minds)
+        self._wishes = [None] * n
+        each = [mind.reset(rng) for mind, rng in zip(self._minds, rngs, strict=True)]
+        return self._together(each, np.zeros(n, np.bool_))
 
     def decide(self, percepts: Percepts) -> Intentions:
         """Asks one after the other."""
-        return _together(
-            [mind.decide(_seen_by(i, percepts)) for i, mind in enumerate(self._minds)]
+        each = [
+            mind.decide(_percept(i, percepts)) for i, mind in enumerate(self._minds)
+        ]
+        return self._together(each, percepts.condition.touched)
+
+    def _together(self, each: Sequence[Intention], touched: Mask) -> Intentions:
+        """Puts everybody's intentions together, and finds whose wish is another."""
+        before, self._wishes = self._wishes, [one.wish for one in each]
+        differs = [new != old for new, old in zip(self._wishes, before, strict=True)]
+        return Intentions(
+            place=np.array([one.place for one in each], dtype=np.intp),
+            look=np.array([one.look for one in each], dtype=np.intp),
+            eyes_open=np.array([one.eyes_open for one in each]),
+            wishes=self._wishes,
+            changed=touched | np.array(differs),
         )
 
 
-def _together(intentions: Sequence[Intention]) -> Intentions:
-    return Intentions(
-        place=np.array([each.place for each in intentions], dtype=np.intp),
-        look=np.array([each.look for each in intentions], dtype=np.intp),
-        eyes_open=np.array([each.eyes_open for each in intentions]),
-        wishes=[each.wish for each in intentions],
-    )
-
-
-def _seen_by(i: int, percepts: Percepts) -> Percept:
-    """One person's share of what everybody perceives; arrays of its own to keep."""
+def _percept(i: int, percepts: Percepts) -> Percept:
+    """What one person perceives; the arrays are its own, to keep."""
+    condition, surroundings = percepts.condition, percepts.surroundings
     return Percept(
         time=percepts.time,
         period=percepts.period,
-        activity=ACTIVITIES[percepts.activity[i]],
-        arrived=bool(percepts.arrived[i]),
-        touched=bool(percepts.touched[i]),
-        mood=float(percepts.mood[i]),
-        judgements=_judged_by(i, percepts),
-        pleasing=percepts.pleasing[i].copy(),
-        moving=percepts.moving.copy(),
-        sees=percepts.sees[i].copy(),
-        level=percepts.level[i].copy(),
+        activity=ACTIVITIES[condition.activity[i]],
+        arrived=bool(condition.arrived[i]),
+        touched=bool(condition.touched[i]),
+        mood=float(condition.mood[i]),
+        appraisals=_appraisals(i, percepts),
+        pleasing=percepts.appraisals.pleasing[i].copy(),
+        moving=surroundings.moving.copy(),
+        sees=surroundings.sees[i].copy(),
+        level=surroundings.level[i].copy(),
     )
 
 
-def _judged_by(i: int, percepts: Percepts) -> tuple[Judgement, ...]:
-    new, value, believed, attending = percepts.judgements
+def _appraisals(i: int, percepts: Percepts) -> tuple[Appraisal, ...]:
+    """What one person thinks of the bouts that are new to it."""
+    found = percepts.appraisals
     return tuple(
-        Judgement(
-            robot=int(believed[i, robot]),
-            value=float(value[i, robot]),
-            attending=bool(attending[i, robot]),
+        Appraisal(
+            robot=int(found.believed[i, robot]),
+            value=float(found.value[i, robot]),
+            attending=bool(found.attending[i, robot]),
             cause=percepts.cause(robot, percepts.time),
         )
-        for robot in np.flatnonzero(new[i]).tolist()
+        for robot in np.flatnonzero(found.new[i]).tolist()
     )

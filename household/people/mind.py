@@ -1,6 +1,6 @@
 """The seam between simulated people and what decides for them.
 
-The environment tells minds what their people perceive, and they answer with what each
+The environment gives minds what their people perceive, and they answer with what each
 intends for the next decision period. Minds live in ``policies``; the environment knows
 only this contract. It speaks of everybody at once, in arrays, since that is fast;
 `household.people.individuals` has the same for a mind of one person's own.
@@ -8,10 +8,9 @@ only this contract. It speaks of everybody at once, in arrays, since that is fas
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Annotated, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from household.compiled.arrays import NOBODY, Floats, Indices, Mask
 from household.feedback import Cause, Kind
@@ -37,20 +36,58 @@ class Wish:
     cause: Cause
 
 
-class Judgements(NamedTuple):
-    """What everybody thinks of the bouts that it first perceived in this period.
+class Appraisals(NamedTuple):
+    """What everybody privately thinks of what the robots do.
 
     Attributes:
-        new: Whether each person now judged what each robot does, (n, n_robots).
-        value: The appraisals, in [-1, 1], shape (n, n_robots).
-        believed: Index of the robot that the person believes it was, (n, n_robots).
-        attending: Whether the person attended to what did it, shape (n, n_robots).
+        new: Whether each person first perceived each robot's bout in this period, and
+            appraised it, shape (n_people, n_robots).
+        value: The appraisals, in [-1, 1], shape (n_people, n_robots).
+        believed: Index of the robot that the person believes it was, shape (n_people,
+            n_robots).
+        attending: Whether the person attended to what did it, shape (n_people,
+            n_robots).
+        pleasing: Whether each robot does something that pleases each person, new or
+            not, shape (n_people, n_robots).
     """
 
-    new: Mask
-    value: Floats
-    believed: Indices
-    attending: Mask
+    new: Annotated[Mask, "n_people", "n_robots"]
+    value: Annotated[Floats, "n_people", "n_robots"]
+    believed: Annotated[Indices, "n_people", "n_robots"]
+    attending: Annotated[Mask, "n_people", "n_robots"]
+    pleasing: Annotated[Mask, "n_people", "n_robots"]
+
+
+class Condition(NamedTuple):
+    """How everybody is doing.
+
+    Attributes:
+        activity: The role that each plays where it stands, shape (n_people,).
+        arrived: Who is where it intended to be, or as near as others let it, shape
+            (n_people,).
+        touched: Whose wish to touch was fulfilled in this period, shape (n_people,).
+        mood: In [-1, 1], shape (n_people,).
+    """
+
+    activity: Annotated[Indices, "n_people"]
+    arrived: Annotated[Mask, "n_people"]
+    touched: Annotated[Mask, "n_people"]
+    mood: Annotated[Floats, "n_people"]
+
+
+class Surroundings(NamedTuple):
+    """What goes on around everybody.
+
+    Attributes:
+        sees: Who sees each entity, people first and robots after them, shape (n_people,
+            n_entities).
+        level: How loud everybody hears each entity, (n_people, n_entities) [dB].
+        moving: Whether each robot is on the move, shape (n_robots,).
+    """
+
+    sees: Annotated[Mask, "n_people", "n_entities"]
+    level: Annotated[Floats, "n_people", "n_entities"]
+    moving: Annotated[Mask, "n_robots"]
 
 
 @dataclass(slots=True)
@@ -62,29 +99,17 @@ class Percepts:
     Attributes:
         time: Now [s].
         period: Time since the last percepts [s].
-        activity: The role that each plays where it stands, shape (n,).
-        arrived: Who is where it intended to be, or as near as others let it, (n,).
-        touched: Whose wish to touch was fulfilled in this period, shape (n,).
-        mood: In [-1, 1], shape (n,).
-        judgements: What everybody thinks of what is new.
-        pleasing: Whether each robot does something that pleases each, (n, n_robots).
-        moving: Whether each robot is on the move, shape (n_robots,).
-        sees: Who sees each entity (people first, then robots), (n, n + n_robots).
-        level: How loud everybody hears each, shape (n, n + n_robots) [dB].
-        cause: What a robot is doing now, as what a touch is about, for `Wish.cause`.
+        condition: How everybody is doing.
+        surroundings: What goes on around everybody.
+        appraisals: What everybody thinks of what the robots do.
+        cause: The bout of a robot, by its index, at a time [s], for `Wish.cause`.
     """
 
     time: float
     period: float
-    activity: NDArray[np.int_]
-    arrived: Mask
-    touched: Mask
-    mood: Floats
-    judgements: Judgements
-    pleasing: Mask
-    moving: Mask
-    sees: Mask
-    level: Floats
+    condition: Condition
+    surroundings: Surroundings
+    appraisals: Appraisals
     cause: Callable[[int, float], Cause]
 
 
@@ -96,12 +121,15 @@ class Intentions(NamedTuple):
         look: Index of the entity to look at, or `OWN_ACTIVITY`, shape (n,).
         eyes_open: False in sleep, shape (n,).
         wishes: The touch that each is out to give, if any; it goes to the robot first.
+        changed: Whose wish is another than in the intentions before, or for the first
+            intentions, who has one, shape (n,); only these wishes are looked at.
     """
 
     place: Indices
     look: Indices
     eyes_open: Mask
     wishes: Sequence[Wish | None]
+    changed: Mask
 
 
 class Minds(Protocol):

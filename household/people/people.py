@@ -1,37 +1,42 @@
-"""The people of a household: they judge what they perceive and do what they intend."""
+"""The people of a household: they appraise what they perceive, decide and set out."""
 
-import math
 from collections.abc import Callable, Sequence
-from functools import partial
 
 import numpy as np
 
-from household.activity import Activity
-from household.compiled.arrays import NOBODY, Floats, Indices, Mask, Zeros, new_zeros
-from household.compiled.jit import FLOATS_2D, INDICES, MASK, bind, compiled
-from household.home.places import NOWHERE, Places, place_of
+from household.compiled.arrays import Floats, Zeros, new_zeros
+from household.compiled.jit import bind, compiled
+from household.home.places import NOWHERE, Places
 from household.motion.crowd import Crowd
-from household.motion.progress import within_reach
-from household.people.appraisal import Appraisals, appraise
-from household.people.feelings import Feelings, live_through
+from household.people.appearance import Appearance, appear, appearance_of, regions_of
+from household.people.appraisal import (
+    Appraisers,
+    Bouts,
+    Preferences,
+    appraise,
+    no_appraisals,
+)
+from household.people.feelings import Feelings, feelings_of, live_through
 from household.people.mind import (
+    OWN_ACTIVITY,
+    Appraisals,
+    Condition,
     Intentions,
     Minds,
     Percepts,
+    Surroundings,
     Wish,
 )
 from household.people.person import everyone_of
 from household.people.traits import Traits, traits_of
-from household.perception.kernel import between
+from household.people.wishes import Wishes
+from household.perception.relations import Relations
 from household.perception.senses import Senses
 from household.robots.robots import Robots
 from household.scenario.scenario import Scenario
 from household.state import Stateful
 
 MakeMinds = Callable[[Scenario], Minds]
-
-REACH = 0.8
-"""From the middle of a person to the middle of a robot that it touches [m]."""
 
 
 class People(Stateful):
@@ -40,38 +45,30 @@ class People(Stateful):
     Args:
         scenario: Who they are.
         make_minds: Gives them their minds.
-        zeros: Makes the arrays that others see: moods and activities.
+        zeros: Makes the arrays that are recorded: moods and activities.
 
     Attributes:
         everyone: Who they are.
         places: Where their activities are.
-        appraisals: What they think of what robots do.
+        preferences: What they find polite.
         feelings: Their moods and what they think of each robot.
-        intentions: What each is about to do.
-        place: Index of the region that each is in, -1 outside all, shape (n,).
-        activity: The role that each plays, as `Activity` values, shape (n,).
-        focus: What each looks at where it is, NaN for nothing, shape (n, 2) [m].
-        touched: Whose wish to touch was fulfilled in this step, shape (n,).
-        target: Index of the body that each is out to touch, or `NOBODY`, shape (n,).
+        appearance: How they appear to whoever looks at them.
+        look: Index of the entity that each is to look at, or `OWN_ACTIVITY`, (n,).
+        wishes: The touches that they are out to give.
     """
-
-    intentions: Intentions
 
     STATE = (
         "places",
         "feelings",
-        "appraisals",
-        "intentions",
-        "place",
-        "activity",
-        "focus",
-        "touched",
-        "target",
+        "appearance",
+        "look",
+        "wishes",
         "_minds",
         "_claimed",
         "_spots",
         "_arrived",
-        "_wishes",
+        "_appraisals",
+        "_last",
     )
 
     def __init__(
@@ -82,37 +79,31 @@ class People(Stateful):
         n, n_robots = len(personas), len(scenario.robots)
         self._minds = make_minds(scenario)
         self._period = scenario.decision_period
-        self.places = Places(scenario.plan)
-        self.feelings = Feelings(personas, n_robots, self._period, zeros)
         self._starts = [spec.start for spec in scenario.people]
         self._robots = [spec.position for spec in scenario.robots]
-        self.appraisals = Appraisals(scenario, self.everyone)
+        self.places = Places(scenario.plan)
+        self.preferences = Preferences(scenario, self.everyone)
+        self.feelings = feelings_of(personas, n_robots, self._period, zeros)
+        self.appearance = appearance_of(n, zeros)
+        self.look = np.full(n, OWN_ACTIVITY, np.intp)
+        self.wishes = Wishes(n)
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
-        self._near = np.zeros(n, np.bool_)
-        self._find_at_hand = bind(_at_hand, then=(FLOATS_2D, INDICES, FLOATS_2D, MASK))
-        self.place = np.full(n, NOWHERE, np.intp)
-        self.activity: Indices = zeros("activity", (n,), np.intp)
-        self.activity[:] = Activity.UNKNOWN
-        self.touched = np.zeros(n, np.bool_)
-        self.target = np.full(n, NOBODY, np.intp)
-        self.focus = np.full((n, 2), np.nan)
-        # Intentions come from minds, which anybody may write: not `bind`.
-        self._show = partial(
-            _show,
-            self.place,
-            self.activity,
-            self.focus,
-            self.places.circles,
-            self.places.roles,
-            self.places.facing,
-            traits_of(personas),
-        )
-        judging = *self.feelings.arrays, *self.appraisals.arrays
-        self._judge = partial(_judge, *judging)
-        self._wishes: dict[int, Wish] = {}
         self._percepts: Percepts | None = None
+        self._appraisals = no_appraisals(n, n_robots)
+        # The decision at which the bout began that each person last appraised.
+        self._last = np.full((n, n_robots), -1, np.intp)
+        traits, regions = traits_of(personas), regions_of(self.places)
+        self._appear = bind(appear, self.appearance, regions, traits)
+        self._appraise = bind(
+            _appraise_and_feel,
+            Appraisers(self.preferences.values, self._last),
+            traits,
+            self._appraisals,
+            self.feelings,
+            self.appearance,
+        )
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
         """Begins a new episode.
@@ -125,13 +116,10 @@ class People(Stateful):
         """
         self.places.clear()
         self.feelings.forget()
-        self.touched[:] = False
-        self.appraisals.forget()
+        self._last[:] = -1
+        self.wishes.forget()
         self._claimed = [NOWHERE] * len(self.everyone)
-        self.target[:] = NOBODY
-        self._wishes, self._percepts = {}, None
-        self.intentions = self._minds.reset(rngs)
-        self._claim_places()
+        self._adopt(self._minds.reset(rngs))
         position = np.zeros((len(self.everyone), 2))
         taken = [*self._robots, *filter(None, self._starts)]
         for i, (x, y) in enumerate(self._spots.tolist()):
@@ -147,8 +135,8 @@ class People(Stateful):
             for i, person in enumerate(self.everyone)
         }
 
-    def show(self, position: Floats, half_view: Floats) -> bool:
-        """Tells how people appear: in which role, and with open eyes or closed.
+    def appear(self, position: Floats, half_view: Floats) -> bool:
+        """Brings up to date how people appear: in which role, with eyes open or closed.
 
         Args:
             position: Of people and robots, shape (n + n_robots, 2) [m].
@@ -158,25 +146,16 @@ class People(Stateful):
         Returns:
             Whether anybody plays another role than before.
         """
-        return self._show(self.intentions.eyes_open, position, half_view)
+        return self._appear(position, half_view)
 
-    def judge(self, senses: Senses, robots: Robots) -> None:
-        """Everybody appraises the bouts that it did not appraise before.
+    def appraise(self, senses: Senses, robots: Robots) -> None:
+        """Everybody appraises what the robots do, and what is new moves them.
 
         Args:
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        self._judge(
-            self.activity,
-            self.intentions.eyes_open,
-            robots.behaviors,
-            robots.begun,
-            senses.attends,
-            senses.attention,
-            senses.sees,
-            senses.level,
-        )
+        self._appraise(Bouts(robots.behaviors, robots.begun), senses.relations)
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
@@ -187,47 +166,65 @@ class People(Stateful):
             robots: Whose bouts touches are about.
             now: [s].
         """
-        before = self.intentions.wishes
-        self.intentions = self._minds.decide(
-            self._perceived(crowd, senses, robots, now)
-        )
-        self._claim_places()
-        wishes = self.intentions.wishes
-        changed = [] if wishes is before else self._take_up(wishes, before)
-        self.touched.fill(False)
-        at_hand = self._at_hand(crowd, senses)
-        crowd.send_who_needs_replan(self._spots, self.target, now, but=at_hand)
+        percepts = self._perceived(crowd, senses, robots, now)
+        changed = self._adopt(self._minds.decide(percepts))
+        self.wishes.touched.fill(False)
+        at_hand = list(self.wishes_at_hand(crowd, senses))
+        crowd.send_who_needs_replan(self._spots, self.wishes.target, now, but=at_hand)
         for i in changed:
             if i not in at_hand and crowd.walks(i):
                 # Who was on its way elsewhere is so no longer.
                 crowd.walk_began[i] = now
 
+    def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> dict[int, Wish]:
+        """The wishes that people can fulfill from where they stand, by person."""
+        return self.wishes.at_hand(crowd.position, senses.walls)
+
     def _perceived(
         self, crowd: Crowd, senses: Senses, robots: Robots, now: float
     ) -> Percepts:
         """What everybody perceives; made once, as its arrays stay the same."""
+        n = len(self.everyone)
         crowd.arrived(self._spots, self._arrived)
         if self._percepts is None:
             self._percepts = Percepts(
                 time=now,
                 period=self._period,
-                activity=self.activity,
-                arrived=self._arrived,
-                touched=self.touched,
-                mood=self.feelings.mood,
-                judgements=self.appraisals.judgements,
-                pleasing=self.appraisals.pleasing,
-                moving=crowd.walking[len(self.everyone) :],
-                sees=senses.sees,
-                level=senses.level,
+                condition=Condition(
+                    activity=self.appearance.activity,
+                    arrived=self._arrived,
+                    touched=self.wishes.touched,
+                    mood=self.feelings.mood,
+                ),
+                surroundings=Surroundings(
+                    sees=senses.relations.sees[:n],
+                    level=senses.relations.level[:n],
+                    moving=crowd.walking[n:],
+                ),
+                appraisals=self._appraisals,
                 cause=robots.cause,
             )
         self._percepts.time = now
         return self._percepts
 
-    def _claim_places(self) -> None:
+    def _adopt(self, intentions: Intentions) -> list[int]:
+        """Takes over what the minds intend; returns whose wish is another.
+
+        Anybody may write minds, and compiled loops rely on the types of arrays: so they
+        are copied into arrays of our own.
+        """
+        self.look[:] = intentions.look
+        self.appearance.eyes_open[:] = intentions.eyes_open
+        self._claim_places(intentions.place.tolist())
+        changed = intentions.changed.tolist()
+        if True not in changed:
+            return []
+        who = [i for i, new in enumerate(changed) if new]
+        self.wishes.take_up(intentions.wishes, who)
+        return who
+
+    def _claim_places(self, intended: list[int]) -> None:
         """Who intends to be elsewhere gets a spot there."""
-        intended = self.intentions.place.tolist()
         if intended == self._claimed:
             return
         for i, (place, before) in enumerate(zip(intended, self._claimed, strict=True)):
@@ -235,131 +232,17 @@ class People(Stateful):
                 self._spots[i] = self.places.claim(i, place)
         self._claimed = intended
 
-    def _take_up(
-        self, wishes: Sequence[Wish | None], before: Sequence[Wish | None]
-    ) -> list[int]:
-        """Who wants to touch a robot goes after it; returns whose wish is another."""
-        changed = [
-            i
-            for i, (new, old) in enumerate(zip(wishes, before, strict=True))
-            if new is not old or self.touched[i]
-        ]
-        for i in changed:
-            wish = wishes[i]
-            if wish is None:
-                self._forget_wish(i)
-            else:
-                self._wishes[i] = wish
-                self.target[i] = len(wishes) + wish.robot
-        return changed
-
-    def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> list[tuple[int, Wish]]:
-        """The touches that people can give from where they stand, and who can."""
-        if not self._wishes:
-            return []
-        return [(i, self._wishes[i]) for i in self._at_hand(crowd, senses)]
-
-    def has_touched(self, i: int) -> None:
-        """A person's wish is fulfilled; its mind hears of it when it next decides."""
-        self.touched[i] = True
-        self._forget_wish(i)
-
-    def _forget_wish(self, i: int) -> None:
-        self._wishes.pop(i, None)
-        self.target[i] = NOBODY
-
-    def _at_hand(self, crowd: Crowd, senses: Senses) -> list[int]:
-        """Whose hand can touch what it is out to touch from where it stands."""
-        anybody = self._wishes and self._find_at_hand(
-            crowd.position, self.target, senses.walls, self._near
-        )
-        return self._near.nonzero()[0].tolist() if anybody else []
-
 
 @compiled
-def _judge(
-    mood: Floats,
-    pleased: Floats,
-    annoyed: Floats,
-    fading: Floats,
-    new: Mask,
-    value: Floats,
-    believed: Indices,
-    attending: Mask,
-    pleasing: Mask,
-    judged: Indices,
-    preferences: Floats,
+def _appraise_and_feel(
+    appraisers: Appraisers,
     traits: Traits,
-    activity: Indices,
-    eyes_open: Mask,
-    doing: Indices,
-    begun: Indices,
-    attends: Mask,
-    attention: Floats,
-    sees: Mask,
-    level: Floats,
+    appraisals: Appraisals,
+    feelings: Feelings,
+    appearance: Appearance,
+    bouts: Bouts,
+    relations: Relations,
 ) -> None:
-    """What `appraise` finds out is lived through; both say what is what."""
-    appraise(
-        new,
-        value,
-        believed,
-        attending,
-        pleasing,
-        judged,
-        preferences,
-        traits,
-        activity,
-        eyes_open,
-        doing,
-        begun,
-        attends,
-        attention,
-        sees,
-        level,
-    )
-    live_through(mood, pleased, annoyed, fading, new, value, believed, traits)
-
-
-@compiled
-def _at_hand(position: Floats, target: Indices, walls: Floats, near: Mask) -> bool:
-    """Who could touch what it is after: it is within reach, with no wall between.
-
-    Args:
-        position: Shape (n, 2) [m].
-        target: Whom each of the first m bodies is after, `NOBODY` for none, shape (m,).
-        walls: As in `between`, shape (4, k) [m].
-        near: Set to who could, shape (m,).
-
-    Returns:
-        Whether anybody could.
-    """
-    if not within_reach(position, target, REACH, near):
-        return False
-    for i in range(len(target)):
-        near[i] = near[i] and between(position, i, target[i], walls) == 0
-    return bool(near.any())
-
-
-@compiled
-def _show(
-    place: Indices,
-    activity: Indices,
-    focus: Floats,
-    circles: Floats,
-    roles: Indices,
-    facing: Floats,
-    traits: Traits,
-    eyes_open: Mask,
-    position: Floats,
-    half_view: Floats,
-) -> bool:
-    changed = False
-    for i in range(len(place)):
-        place[i] = place_of(position[i], circles)
-        # The last ones are for nowhere, which -1 is the index of.
-        changed |= activity[i] != roles[place[i]]
-        activity[i], focus[i] = roles[place[i]], facing[place[i]]
-        half = math.radians(traits[i]["field_of_view"] / 2)
-        half_view[i] = half if eyes_open[i] else -1.0
-    return changed
+    """Appraises and lives through what was found, all in one call."""
+    appraise(appraisers, traits, appraisals, appearance, bouts, relations)
+    live_through(feelings, appraisals, traits)

@@ -1,8 +1,8 @@
 """A canonical order of actors: the same for every way of exchanging them.
 
-Actors are told apart by what is true of them, then by whom they are related to
-(Weisfeiler-Leman refinement). Those who are tied fall into groups that have nothing to
-do with each other, and each group is put in order on its own. Where all of a group are
+Actors are distinguished by their own features, then by the actors they are related to
+(Weisfeiler-Leman refinement). Those who remain tied fall into groups that are not
+related to each other, and each group is ordered on its own. Where all of a group are
 tied, each of them is tried in the first place (individualization), so that the result
 is exact and not a heuristic.
 """
@@ -34,7 +34,7 @@ def canonical_order(
 
 def _order(ranks: Ranks, pairs: Pairs) -> list[str]:
     ranks = _refined(ranks, pairs) if pairs else ranks
-    # How others stand to an actor of a rank of its own is in their ranks already.
+    # Relations to an actor with a unique rank are in the others' ranks already.
     held = Counter(ranks.values())
     tied = {actor for actor, rank in ranks.items() if held[rank] > 1}
     pairs = _among(pairs, tied)
@@ -63,7 +63,7 @@ def _form(order: list[str], ranks: Ranks, pairs: Pairs) -> tuple[Any, ...]:
 
 
 def _groups(ranks: Ranks, pairs: Pairs) -> Iterator[set[str]]:
-    """Actors that hang together by pairs, whichever way those point."""
+    """The connected components: actors that pairs link, in whichever direction."""
     near: dict[str, set[str]] = {actor: set() for actor in ranks}
     for a, b in pairs:
         near[a].add(b)
@@ -102,7 +102,7 @@ def _are_twins(one: str, other: str, pairs: Pairs) -> bool:
 
 
 def _refined(ranks: Ranks, pairs: Pairs) -> Ranks:
-    """Tells actors apart by the ranks that they are related to, as far as it goes."""
+    """Splits ranks by the ranks that actors are related to, as long as any splits."""
     while True:
         finer = _ranked(
             {

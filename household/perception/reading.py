@@ -13,11 +13,11 @@ from household.perception.situation import Situation
 from household.scenario.scenario import Scenario
 
 KEPT = 1024
-"""So many situations and their parts are remembered, as they recur."""
+"""How many situations, and how many parts of them, are cached, as they recur."""
 
 
 class SituationReader:
-    """Puts the situation together that each robot sees.
+    """Composes the situation that each robot sees.
 
     Args:
         scenario: Names everybody, and says which relations situations hold.
@@ -31,8 +31,8 @@ class SituationReader:
             (i, [(name, role) for role in ACTIVITY_NAMES])
             for name, i in sorted((name, i) for i, name in enumerate(self._people))
         ]
-        # The relations that there can be, in the order of the bytes of `_looks`: for
-        # each robot, or once for all of them where they see the same.
+        # The possible relations, in the order of the bytes of `_looks`: for each robot,
+        # or once for all of them where they see the same.
         everybody = (*self._people, *robots)
         relations: dict[str, list[list[Relation]]] = {
             "none": [[]],
@@ -55,7 +55,7 @@ class SituationReader:
         return self._situations(activity.tobytes(), self._looks(attends))
 
     def _looks(self, attends: Mask) -> bytes:
-        """Which of the relations that there can be hold, one byte for each."""
+        """Which of the possible relations hold, one byte for each."""
         if self._attention == "robot":
             n = len(self._people)
             return attends[:n, n:].tobytes("F")

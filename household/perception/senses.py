@@ -1,38 +1,24 @@
-"""Senses: who sees, hears and attends to whom at this moment."""
-
-from typing import NamedTuple
+"""Senses: everybody's sight, attention and hearing at this moment."""
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Mask, Zeros, new_zeros
-from household.compiled.jit import FLOAT, FLOATS, FLOATS_2D, bind
+from household.compiled.arrays import Floats, Zeros, new_zeros
+from household.compiled.jit import bind, compiled
 from household.home.floorplan import FloorPlan
-from household.perception import kernel
+from household.perception.attention import AttentionModel, attend, distribute_attention
+from household.perception.hearing import Acoustics, attenuate, hear
+from household.perception.obstruction import (
+    Barriers,
+    Obstructions,
+    update_obstructions,
+)
+from household.perception.relations import Entities, Relations
+from household.perception.sight import see
 from household.scenario.scenario import PerceptionModel
 from household.state import Stateful
 
 BATCH = 16
-"""So many segments the processor looks at in one go; the rest it takes one by one."""
-
-
-class Beings(NamedTuple):
-    """Everybody, as all others perceive it and as it perceives them.
-
-    Attributes:
-        position: Shape (n, 2) [m].
-        gaze: Where each head points, shape (n,) [rad].
-        half_view: Half the field of view, (n,) [rad]; negative: eyes closed.
-        salience: How strongly each draws the eye, shape (n,).
-        absorption: What each one's activity holds back, shape (n,).
-        source: Sound level of each at 1 m, shape (n,) [dB].
-    """
-
-    position: Floats
-    gaze: Floats
-    half_view: Floats
-    salience: Floats
-    absorption: Floats
-    source: Floats
+"""Segments that the processor handles at once; those left over are taken one by one."""
 
 
 class Senses(Stateful):
@@ -42,37 +28,17 @@ class Senses(Stateful):
         plan: The home.
         model: How well everybody perceives.
         n: How many there are.
-        silent: So many of the first never make a sound.
-        zeros: Makes the arrays that others see: `attention` and `attends`.
-
-    The arrays are the same from moment to moment, with new values in them.
+        silent: How many of them, from the first on, never make a sound.
+        zeros: Makes the arrays that are recorded: ``attention`` and ``attends``.
 
     Attributes:
-        walls: That can stand between two, and closed doors, shape (4, m), columns of
-            x1, y1, x2, y2 [m]; the last ones may be NaN.
-        sees: ``sees[i, j]``: i sees j, shape (n, n).
-        facing: Cosine of the angle between the gaze of i and the direction to j,
-            shape (n, n).
-        attention: The attention matrix, shape (n, n); rows are observers and sum to
-            less than 1.
-        attends: ``attends[i, j]``: i attends to j, with hysteresis, shape (n, n).
-        attention_began: Since when i attends to j [s], NaN if it does not, (n, n).
-        loss: What a sound loses on its way from j to i, shape (n, n) [dB]; infinite
-            where both never make one.
-        level: How loud i hears j, shape (n, n) [dB], at least 0.
+        walls: What can stand between two, walls and closed doors, shape (4, m), columns
+            of x1, y1, x2, y2 [m]; the last ones may be NaN.
+        relations: Who sees, hears and attends to whom; the same arrays from moment to
+            moment, with new values in them.
     """
 
-    STATE = (
-        "_position",
-        "_parted",
-        "sees",
-        "facing",
-        "attention",
-        "attends",
-        "attention_began",
-        "loss",
-        "level",
-    )
+    STATE = ("relations", "_obstructions")
 
     def __init__(
         self,
@@ -83,56 +49,78 @@ class Senses(Stateful):
         zeros: Zeros = new_zeros,
     ) -> None:
         self.walls = _columns(plan.parting_walls)
-        self._position = np.zeros((n, 2))
-        # How many walls and how much furniture part two, while none of them moves.
-        self._parted = np.zeros((n, n), dtype=np.int64)
-        self.sees = np.zeros((n, n), dtype=np.bool_)
-        self.facing = np.ones((n, n))
-        self.attention: Floats = zeros("attention", (n, n))
-        self.attends: Mask = zeros("attends", (n, n), np.bool_)
-        self.attention_began = np.full((n, n), np.nan)
-        self.loss = np.full((n, n), np.inf)
-        self.level = np.zeros((n, n))
+        self.relations = Relations(
+            sees=np.zeros((n, n), np.bool_),
+            facing=np.ones((n, n)),
+            attention=zeros("attention", (n, n)),
+            attends=zeros("attends", (n, n), np.bool_),
+            attention_began=np.full((n, n), np.nan),
+            loss=np.full((n, n), np.inf),
+            level=np.zeros((n, n)),
+        )
+        self._obstructions = Obstructions(
+            position=np.zeros((n, 2)),
+            moved=np.zeros(n, np.bool_),
+            crossed=np.zeros((n, n), np.int64),
+            hidden=np.zeros((n, n), np.bool_),
+        )
+        attention = AttentionModel(
+            focus=float(np.deg2rad(model.focus)),
+            distance=model.distance,
+            attend_above=model.attend_above,
+            attend_below=model.attend_below,
+        )
         self._perceive = bind(
-            kernel.perceive,
-            self.walls,
-            _columns(plan.tall_diagonals),
-            model.wall_loss,
-            silent,
-            np.deg2rad(model.focus),
-            model.distance,
-            model.attend_above,
-            model.attend_below,
-            self._position,
-            self._parted,
-            self.loss,
-            self.sees,
-            self.facing,
-            self.attention,
-            self.level,
-            self.attends,
-            self.attention_began,
-            then=(FLOATS_2D, *[FLOATS] * 5, FLOAT),
+            _perceive,
+            Barriers(self.walls, _columns(plan.tall_diagonals)),
+            Acoustics(model.wall_loss, silent),
+            attention,
+            self._obstructions,
+            self.relations,
         )
 
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
-        self._position[:] = np.nan  # Everybody has moved.
-        self.sees[:] = self.attends[:] = False
-        self.attention[:] = self.level[:] = 0.0
-        self.attention_began[:] = np.nan
+        self._obstructions.position[:] = np.nan  # Everybody has moved.
+        relations = self.relations
+        relations.sees[:] = relations.attends[:] = False
+        relations.attention[:] = relations.level[:] = 0.0
+        relations.attention_began[:] = np.nan
 
-    def perceive(self, beings: Beings, now: float) -> bool:
+    def perceive(self, entities: Entities, now: float) -> bool:
         """Perceives this moment.
 
         Args:
-            beings: Everybody.
+            entities: Everybody.
             now: [s].
 
         Returns:
             Whether anybody attends to others than before.
         """
-        return self._perceive(*beings, now)
+        return self._perceive(entities, now)
+
+
+@compiled
+def _perceive(
+    barriers: Barriers,
+    acoustics: Acoustics,
+    model: AttentionModel,
+    obstructions: Obstructions,
+    relations: Relations,
+    entities: Entities,
+    now: float,
+) -> bool:
+    """Sees, attends and hears, all in one call; changes relations in place.
+
+    Returns:
+        Whether anybody attends to others than before.
+    """
+    update_obstructions(obstructions, barriers, entities.position)
+    see(entities, obstructions.hidden, relations)
+    distribute_attention(entities, model, relations)
+    attenuate(obstructions, acoustics, relations.loss)
+    hear(entities.source, relations.loss, relations.level)
+    return attend(model, now, relations)
 
 
 def _columns(segments: Floats) -> Floats:

@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.compiled.jit import FLOATS_2D, bind
+from household.compiled.jit import bind
 from household.feedback import Feedback
 from household.motion.bodies import BodyParams
 from household.motion.crowd import Crowd
@@ -19,8 +19,10 @@ from household.observation.kernel import View
 from household.people.appraisal import heard_strength, seen_strength
 from household.people.feelings import misread
 from household.people.mind import Wish
-from household.people.people import REACH, MakeMinds, People
-from household.perception.senses import Beings, Senses
+from household.people.people import MakeMinds, People
+from household.people.wishes import REACH
+from household.perception.relations import Entities
+from household.perception.senses import Senses
 from household.robots.motions import MOTIONS, Mover
 from household.robots.robots import Robots
 from household.scenario.scenario import MOST_PEOPLE, Scenario
@@ -123,7 +125,7 @@ class Simulation(Stateful):
         self._source = np.zeros(n_people + n_robots)
         self._moments = round(scenario.decision_period / scenario.steering_period)
         # What is perceived is always in the same arrays.
-        self._beings = Beings(
+        self._entities = Entities(
             self.crowd.position,
             self.crowd.gaze,
             self.half_view,
@@ -132,7 +134,7 @@ class Simulation(Stateful):
             self._source,
         )
         noise, mood = scenario.perception.mood_noise, self.people.feelings.mood
-        self._misread = bind(misread, mood, noise, self.moods, then=[FLOATS_2D])
+        self._misread = bind(misread, mood, noise, self.moods)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
         self.view = self._view()
 
@@ -167,7 +169,7 @@ class Simulation(Stateful):
             np.vstack([people, robots]),
             np.concatenate([np.zeros(len(people)), headings]),
         )
-        self.people.show(self.crowd.position, self.half_view)
+        self.people.appear(self.crowd.position, self.half_view)
         self._look_around(np.full(len(self._head_turn), 2 * np.pi))
         self._perceive()
 
@@ -188,7 +190,7 @@ class Simulation(Stateful):
         self._set_clock(self.decision + 1)
         self._look_around(self._head_turn)
         self._perceive()
-        self.people.judge(self.senses, self.robots)
+        self.people.appraise(self.senses, self.robots)
         self.people.decide(self.crowd, self.senses, self.robots, self.time)
 
     def _set_clock(self, decision: int) -> None:
@@ -213,9 +215,10 @@ class Simulation(Stateful):
         moment = 0
         while moment < self._moments:
             left = self._moments - moment
-            moment += self.crowd.advance(left, self.people.target, REACH)
+            moment += self.crowd.advance(left, self.people.wishes.target, REACH)
             now = self.time + moment * self.scenario.steering_period
-            for i, wish in self.people.wishes_at_hand(self.crowd, self.senses):
+            at_hand = self.people.wishes_at_hand(self.crowd, self.senses)
+            for i, wish in at_hand.items():
                 self._touch(i, wish, now)
 
     def _touch(self, i: int, wish: Wish, now: float) -> None:
@@ -227,37 +230,38 @@ class Simulation(Stateful):
             strength=wish.strength,
             time=now,
             mood=float(self.moods[wish.robot, i]),
-            attending=bool(self.senses.attends[i, j]),
+            attending=bool(self.senses.relations.attends[i, j]),
             approach_began=self.crowd.walks_since(i),
-            attention_began=_known(self.senses.attention_began[i, j]),
+            attention_began=_known(self.senses.relations.attention_began[i, j]),
         )
         self.robots.feel(wish.robot, feedback, wish.cause)
-        self.people.has_touched(i)
+        self.people.wishes.fulfill(i)
         self.crowd.halt(i)
 
     def _look_around(self, most: Floats) -> None:
         """Everybody turns its head towards what it wants to look at."""
-        self.crowd.turn_heads(self.people.intentions.look, self.people.focus, most)
+        look, focus = self.people.look, self.people.appearance.focus
+        self.crowd.turn_heads(look, focus, most)
 
     def _perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self.scenario.decision_period
-        changed = self.people.show(self.crowd.position, self.half_view)
+        changed = self.people.appear(self.crowd.position, self.half_view)
         self.robots.show(since, self.time, self._salience, self._source)
-        changed |= self.senses.perceive(self._beings, self.time)
+        changed |= self.senses.perceive(self._entities, self.time)
         self.revision += changed
         self._misread(self._noise.next())
 
     def _view(self) -> View:
         """What robots may know; made once, as all arrays stay the same."""
-        senses, robots = self.senses, self.robots
+        relations, robots = self.senses.relations, self.robots
         return View(
             position=self.crowd.position,
-            facing=senses.facing,
-            attends=senses.attends,
-            attention=senses.attention,
+            facing=relations.facing,
+            attends=relations.attends,
+            attention=relations.attention,
             walking=self.crowd.walking,
-            activity=self.people.activity,
+            activity=self.people.appearance.activity,
             mood=self.moods,
             behavior=robots.behaviors,
             left=robots.left,
@@ -278,13 +282,13 @@ class Simulation(Stateful):
             Shape (n_behaviors,), in [-1, 1].
         """
         n, target = self._n_people, self._n_people + robot
-        senses = self.senses
+        relations = self.senses.relations
         loudness = np.array([b.loudness for b in self.scenario.repertoire])
-        heard = heard_strength(loudness - senses.loss[:n, target, None])
-        seen = seen_strength(senses.attention[:n, target, None])
-        attends = senses.attends[:n, n:]
-        liked = self.people.appraisals.preferred(
-            self.people.activity, attends, on_average=on_average
+        heard = heard_strength(loudness - relations.loss[:n, target, None])
+        seen = seen_strength(relations.attention[:n, target, None])
+        attends = relations.attends[:n, n:]
+        liked = self.people.preferences.now(
+            self.people.appearance.activity, attends, on_average=on_average
         )[:, robot]
         return (liked * np.maximum(seen, heard)).mean(axis=0)
 

@@ -1,6 +1,7 @@
 """Gaze cones: what lies in somebody's field of view, cut at walls; for pictures."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,51 @@ RAYS = 11
 
 EDGE = 1e-6
 """By how much a field of view is widened where what lies beyond is left out [rad]."""
+
+
+class Eye(NamedTuple):
+    """Where somebody stands and what is in its field of view.
+
+    Attributes:
+        x: [m].
+        y: [m].
+        gaze: Where the head points [rad].
+        half: Half the field of view [rad].
+    """
+
+    x: float
+    y: float
+    gaze: float
+    half: float
+
+
+class Rays(NamedTuple):
+    """The rays of a cone, from its right to its left.
+
+    Attributes:
+        dx: Unit vectors, shape (RAYS,).
+        dy: Shape (RAYS,).
+        free: How far each goes, shape (RAYS,) [m].
+    """
+
+    dx: Floats
+    dy: Floats
+    free: Floats
+
+
+class Blocks(NamedTuple):
+    """What blocks sight.
+
+    Attributes:
+        columns: The segments, shape (4, m), columns of x1, y1, x2, y2 [m].
+        seen: Which of them could be seen from an eye, shape (m,).
+        near: Those of them, as seen from there: where each begins, how it goes on, and
+            the product of the two, shape (m, 5).
+    """
+
+    columns: Floats
+    seen: Mask
+    near: Floats
 
 
 @compiled
@@ -32,11 +78,11 @@ def gaze_cones(
         the eye. With closed eyes all points are there.
     """
     moments, n = gaze.shape
+    m = len(segments)
     outline = np.empty((moments, n, RAYS + 2, 2), np.float32)
-    near, seen = np.empty((len(segments), 5)), np.empty(len(segments), np.bool_)
     # Plain rows of numbers: the processor looks at several at once.
-    columns = segments.T.copy()
-    dx, dy, free = np.empty(RAYS), np.empty(RAYS), np.empty(RAYS)
+    blocks = Blocks(segments.T.copy(), np.empty(m, np.bool_), np.empty((m, 5)))
+    rays = Rays(np.empty(RAYS), np.empty(RAYS), np.empty(RAYS))
     for t in range(moments):
         for i in range(n):
             x, y, half = position[t, i, 0], position[t, i, 1], half_view[t, i]
@@ -46,12 +92,12 @@ def gaze_cones(
             outline[t, i, :, 0], outline[t, i, :, 1] = x, y
             if half < 0.0:
                 continue
-            count = _gather(x, y, gaze[t, i], half, columns, reach, seen, near)
-            _aim(gaze[t, i], half, dx, dy)
-            _cut(dx, dy, near, count, reach, free)
+            eye = Eye(x, y, gaze[t, i], half)
+            _aim(eye, rays)
+            _cut(rays, blocks.near[: _gather(eye, blocks, reach)], reach)
             for ray in range(RAYS):
-                outline[t, i, ray + 1, 0] = x + free[ray] * dx[ray]
-                outline[t, i, ray + 1, 1] = y + free[ray] * dy[ray]
+                outline[t, i, ray + 1, 0] = x + rays.free[ray] * rays.dx[ray]
+                outline[t, i, ray + 1, 1] = y + rays.free[ray] * rays.dy[ray]
     return outline
 
 
@@ -67,10 +113,11 @@ def _goes_on(position: Floats, gaze: Floats, half_view: Floats, t: int, i: int) 
 
 
 @compiled
-def _aim(gaze: float, half: float, dx: Floats, dy: Floats) -> None:
-    """Spreads rays over a field of view: unit vectors, from its right to its left."""
-    dx[0], dy[0] = math.cos(gaze - half), math.sin(gaze - half)
-    turn = 2.0 * half / (len(dx) - 1)
+def _aim(eye: Eye, rays: Rays) -> None:
+    """Spreads rays over a field of view."""
+    dx, dy = rays.dx, rays.dy
+    dx[0], dy[0] = math.cos(eye.gaze - eye.half), math.sin(eye.gaze - eye.half)
+    turn = 2.0 * eye.half / (len(dx) - 1)
     along, across = math.cos(turn), math.sin(turn)
     for ray in range(1, len(dx)):
         dx[ray] = dx[ray - 1] * along - dy[ray - 1] * across
@@ -78,22 +125,14 @@ def _aim(gaze: float, half: float, dx: Floats, dy: Floats) -> None:
 
 
 @compiled
-def _gather(
-    x: float,
-    y: float,
-    gaze: float,
-    half: float,
-    columns: Floats,
-    reach: float,
-    seen: Mask,
-    near: Floats,
-) -> int:
-    """Copies the segments that could be seen to `near`; returns how many.
+def _gather(eye: Eye, blocks: Blocks, reach: float) -> int:
+    """Finds the segments that could be seen from an eye; returns how many.
 
-    There they are where they begin, as seen from (x, y), how they go on, and the
-    product of the two. What lies wholly beyond one edge of the field of view, less
-    than half a circle, cannot be in it.
+    What lies wholly beyond one edge of the field of view, less than half a circle,
+    cannot be in it.
     """
+    columns, seen, near = blocks.columns, blocks.seen, blocks.near
+    x, y, gaze, half = eye
     lx, ly = math.cos(gaze + half + EDGE), math.sin(gaze + half + EDGE)
     rx, ry = math.cos(gaze - half - EDGE), math.sin(gaze - half - EDGE)
     wide = half + EDGE >= math.pi / 2
@@ -117,17 +156,16 @@ def _gather(
 
 
 @compiled
-def _cut(
-    dx: Floats, dy: Floats, near: Floats, count: int, reach: float, free: Floats
-) -> None:
-    """How far one sees in each unit direction (dx, dy), past what `_gather` found."""
+def _cut(rays: Rays, near: Floats, reach: float) -> None:
+    """Cuts rays off at the segments that `_gather` found, and at their reach."""
+    dx, dy, free = rays.dx, rays.dy, rays.free
     free[:] = reach
-    for k in range(count):
+    for k in range(len(near)):
         ax, ay, ex, ey, turned = near[k]
         for ray in range(len(dx)):
             cross = dx[ray] * ey - dy[ray] * ex
             aside = ax * dy[ray] - ay * dx[ray]
-            # On the line, in front and between its ends: told without a branch.
+            # On the line, in front and between its ends: found without a branch.
             hit = (abs(aside) <= abs(cross)) & (aside * cross >= 0.0)
             hit &= (turned * cross >= 0.0) & (cross != 0.0)
             away = turned / cross

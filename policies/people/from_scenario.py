@@ -1,4 +1,4 @@
-"""From a scenario's scripts and schedules, by name, to doings, by index."""
+"""From a scenario's scripts and schedules, by name, to routines, by index."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -15,10 +15,10 @@ from policies.people.script import Line, Script
 
 FOREVER = (math.inf, math.inf)
 
-MakeDoing = Callable[[np.random.Generator], Script | Schedule]
+MakeRoutine = Callable[[np.random.Generator], Script | Schedule]
 
 
-def doing_of(scenario: Scenario, index: int) -> MakeDoing:
+def routine_of(scenario: Scenario, index: int) -> MakeRoutine:
     """Begins what one person of a scenario does, given a random stream."""
     spec, places = scenario.people[index], Places(scenario.plan)
     if spec.script:

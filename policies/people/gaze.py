@@ -2,22 +2,15 @@
 
 import math
 from collections.abc import Sequence
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from household.activity import Activity
 from household.compiled.arrays import NOBODY, Floats, Indices, Mask
-from household.compiled.jit import (
-    FLOAT,
-    FLOATS_2D,
-    INDICES,
-    MASK,
-    MASK_2D,
-    bind,
-    compiled,
-)
+from household.compiled.jit import bind, compiled
 from household.people.appraisal import heard_strength
-from household.people.mind import OWN_ACTIVITY, Percepts
+from household.people.mind import OWN_ACTIVITY, Condition, Percepts, Surroundings
 from household.people.traits import Traits, traits_of
 from household.scenario.persona import Persona
 from household.simulation.random_streams import Draws
@@ -33,6 +26,38 @@ MOVING = 0.5
 noise close by (our choice)."""
 
 
+class GazeState(NamedTuple):
+    """Where everybody looks, and for how long.
+
+    Attributes:
+        look: Index of the entity that each looks at, or `OWN_ACTIVITY`, (n_people,).
+        eyes_open: False in sleep, shape (n_people,).
+        habit: Where each looks by habit, shape (n_people,).
+        left: How long each goes on with that, shape (n_people,) [s].
+        awake: How long each cannot fall asleep yet, shape (n_people,) [s].
+    """
+
+    look: Annotated[Indices, "n_people"]
+    eyes_open: Annotated[Mask, "n_people"]
+    habit: Annotated[Indices, "n_people"]
+    left: Annotated[Floats, "n_people"]
+    awake: Annotated[Floats, "n_people"]
+
+
+class Aims(NamedTuple):
+    """What people look at for a reason.
+
+    Attributes:
+        routine: Index of the entity that each one's routine has it look at, or
+            `OWN_ACTIVITY`, shape (n_people,).
+        target: Index of the robot that each is out to touch, or `NOBODY`, shape
+            (n_people,).
+    """
+
+    routine: Annotated[Indices, "n_people"]
+    target: Annotated[Indices, "n_people"]
+
+
 class Gaze(Stateful):
     """People look at their own activity, at robots and at people, each for a while.
 
@@ -41,133 +66,113 @@ class Gaze(Stateful):
         rngs: Each person's own stream.
 
     Attributes:
-        look: Index of the entity that each looks at, or `OWN_ACTIVITY`, shape (n,).
-        eyes_open: False in sleep, shape (n,).
+        look: Index of the entity that each looks at, or `OWN_ACTIVITY`, (n_people,).
+        eyes_open: False in sleep, shape (n_people,).
     """
 
-    STATE = ("_draws", "look", "eyes_open", "_habit", "_left", "_awake")
+    STATE = ("_draws", "_state")
 
     def __init__(
         self, personas: Sequence[Persona], rngs: Sequence[np.random.Generator]
     ) -> None:
         n = len(personas)
         self._draws = Draws(rngs, DRAWS)
-        self.look = np.full(n, OWN_ACTIVITY, np.intp)
-        self.eyes_open = np.ones(n, np.bool_)
-        self._habit = np.full(n, OWN_ACTIVITY, np.intp)
-        self._left, self._awake = np.zeros(n), np.zeros(n)
-        self._turn = bind(
-            _turn,
-            self.look,
-            self.eyes_open,
-            self._habit,
-            self._left,
-            self._awake,
-            traits_of(personas),
-            then=(
-                *(FLOATS_2D, FLOATS_2D, MASK_2D, MASK, MASK, INDICES),
-                *(FLOAT, INDICES, INDICES),
-            ),
+        self._state = GazeState(
+            look=np.full(n, OWN_ACTIVITY, np.intp),
+            eyes_open=np.ones(n, np.bool_),
+            habit=np.full(n, OWN_ACTIVITY, np.intp),
+            left=np.zeros(n),
+            awake=np.zeros(n),
         )
+        self.look = self._state.look
+        self.eyes_open = self._state.eyes_open
+        self._turn = bind(_turn, self._state, traits_of(personas))
 
-    def turn(self, percepts: Percepts, told: Indices, wanted: Indices) -> None:
+    def turn(self, percepts: Percepts, aims: Aims) -> None:
         """Turns everybody's gaze.
 
         Args:
             percepts: What everybody perceives.
-            told: Where what each does has it look, or `OWN_ACTIVITY`, shape (n,).
-            wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
+            aims: What people look at for a reason.
         """
         self._turn(
-            self._draws.next(),
-            percepts.level,
-            percepts.sees,
-            percepts.moving,
-            percepts.arrived,
-            percepts.activity,
+            percepts.condition,
+            percepts.surroundings,
+            aims,
             percepts.period,
-            told,
-            wanted,
+            self._draws.next(),
         )
 
 
 @compiled
 def _turn(
-    look: Indices,
-    eyes_open: Mask,
-    habit: Indices,
-    left: Floats,
-    awake: Floats,
+    state: GazeState,
     traits: Traits,
-    draws: Floats,
-    level: Floats,
-    sees: Mask,
-    moving: Mask,
-    arrived: Mask,
-    activity: Indices,
+    condition: Condition,
+    surroundings: Surroundings,
+    aims: Aims,
     period: float,
-    told: Indices,
-    wanted: Indices,
+    draws: Annotated[Floats, "n_people", DRAWS],
 ) -> None:
-    """Where everybody looks, and whether with open eyes.
+    """Turns everybody's gaze, with eyes open or closed.
 
-    A robot that is to be touched comes before what the script tells, and that before
-    habit. Eyes are closed in bed, unless a robot's noise just woke the sleeper.
+    A robot that is to be touched comes before the routine, and that before habit. Eyes
+    are closed in bed, unless a robot's noise just woke the sleeper.
 
     Args:
-        look: What it comes to, shape (n,); changed in place, as all up to ``traits``.
-        eyes_open: Shape (n,).
-        habit: Where each looks by habit, shape (n,).
-        left: How long it goes on with that, shape (n,) [s].
-        awake: How long each cannot fall asleep yet, shape (n,) [s].
-        traits: Of each person, shape (n,).
-        draws: Uniform numbers, shape (n, DRAWS).
-        level: As in `Percepts`, like all that follow up to ``period``.
-        sees: Shape (n, n + n_robots).
-        moving: Shape (n_robots,).
-        arrived: Shape (n,).
-        activity: Shape (n,).
-        period: [s].
-        told: Where what each does has it look, or `OWN_ACTIVITY`, shape (n,).
-        wanted: The robot that each is out to touch, or `NOBODY`, shape (n,).
+        state: Brought up to date in place.
+        traits: Of each person, shape (n_people,).
+        condition: How everybody is doing.
+        surroundings: What goes on around everybody.
+        aims: What people look at for a reason.
+        period: Time since the last call [s].
+        draws: Uniform numbers, shape (n_people, DRAWS).
     """
-    n = len(look)
+    habit, left, awake = state.habit, state.left, state.awake
+    routine, target, level = aims.routine, aims.target, surroundings.level
+    n = len(routine)
     for i in range(n):
         left[i] -= period
         moves, startles, where, dwell = draws[i]
-        robot, strength = _most_striking(level[i], sees[i], moving)
+        robot, strength = _most_salient(surroundings, i)
         startled = startles < traits[i]["reflex"] * strength
         if startled or left[i] <= 0.0:
-            drawn = _drawn(i, n, len(moving), moves, where, traits)
+            n_robots = len(surroundings.moving)
+            drawn = _drawn(i, n, n_robots, moves, where, traits)
             habit[i] = robot if startled else drawn
             left[i] = -math.log(1.0 - dwell) * traits[i]["gaze_dwell"]
-        if wanted[i] != NOBODY:
-            look[i], eyes_open[i] = n + wanted[i], True
+        if target[i] != NOBODY:
+            state.look[i], state.eyes_open[i] = n + target[i], True
             continue
-        look[i] = habit[i] if told[i] == OWN_ACTIVITY else told[i]
+        state.look[i] = habit[i] if routine[i] == OWN_ACTIVITY else routine[i]
         awake[i] -= period
         if level[i, n:].max() >= traits[i]["wakes_at"]:
             awake[i] = traits[i]["awake_for"]
-        in_bed = arrived[i] and activity[i] == SLEEPING
-        eyes_open[i] = not (in_bed and awake[i] <= 0.0)
+        in_bed = condition.arrived[i] and condition.activity[i] == SLEEPING
+        state.eyes_open[i] = not (in_bed and awake[i] <= 0.0)
 
 
 @compiled
-def _most_striking(level: Floats, sees: Mask, moving: Mask) -> tuple[int, float]:
-    """The robot that draws somebody's eye most, and how strongly, in [0, 1].
+def _most_salient(surroundings: Surroundings, i: int) -> tuple[int, float]:
+    """The robot that draws a person's eye most, and how strongly, in [0, 1].
 
-    Of two that draw it alike it is the louder, then the last.
+    Of two that draw it equally, it is the louder one, then the last.
     """
+    level, sees, moving = (
+        surroundings.level[i],
+        surroundings.sees[i],
+        surroundings.moving,
+    )
     n_people = len(level) - len(moving)
-    striking, most, loudest = n_people, -1.0, -1.0
+    salient, most, loudest = n_people, -1.0, -1.0
     for robot in range(n_people, len(level)):
         seen_moving = sees[robot] and moving[robot - n_people]
         heard = float(heard_strength(level[robot]))
         strength = max(heard, MOVING if seen_moving else 0.0)
         louder = strength == most and level[robot] >= loudest
         if strength > most or louder:
-            striking, most, loudest = robot, strength, level[robot]
-    return striking, most
+            salient, most, loudest = robot, strength, level[robot]
+    return salient, most
 
 
 @compiled
@@ -179,7 +184,7 @@ def _drawn(
     where: float,
     traits: Traits,
 ) -> int:
-    """What somebody looks at next, by its interests."""
+    """What a person looks at next, by its interests."""
     robots, people = traits[myself]["robot_interest"], traits[myself]["people_interest"]
     if moves < robots:
         return n_people + int(where * n_robots)

@@ -18,7 +18,8 @@ class Stop:
     Attributes:
         place: Index of the activity region.
         duration: Shortest and longest time to be there [s].
-        then: Probability that the next stop is one up to this, for each stop.
+        then: Cumulative probabilities: for each stop, the chance that the next one is
+            this stop or one before it.
     """
 
     place: int
@@ -27,7 +28,7 @@ class Stop:
 
 
 class Schedule(Stateful):
-    """Where a person is in its schedule; `Doings` let the time pass.
+    """Where a person is in its schedule; `Routines` lets the time pass.
 
     Args:
         stops: At least one; the first is where it begins.
@@ -36,7 +37,7 @@ class Schedule(Stateful):
     Attributes:
         lasts: Time to be spent in the present place [s].
         until: Schedules do not look at the clock.
-        look: A schedule leaves the gaze to habit.
+        look: `OWN_ACTIVITY`, as a schedule leaves the gaze to habit.
         look_lasts: For ever.
     """
 
@@ -61,13 +62,13 @@ class Schedule(Stateful):
         return self._stop.place
 
     def turn_look(self) -> None:
-        """There is none to turn."""
+        """Does nothing, as a schedule prescribes no look."""
 
     def go_on(self, now: float) -> None:
         """Chooses the next stop.
 
         Args:
-            now: Time since the episode began [s]; not looked at.
+            now: Time since the episode began [s]; not used.
         """
         del now
         self._begin(bisect(self._stop.then, self._rng.random()))

@@ -34,7 +34,7 @@ class Line:
 
 
 class Script(Stateful):
-    """Where a person is in its script; `Doings` let the time pass.
+    """Where a person is in its script; `Routines` lets the time pass.
 
     Args:
         lines: At least one.
@@ -43,7 +43,7 @@ class Script(Stateful):
     Attributes:
         lasts: Time to be spent in the place of the present line [s].
         until: When the line ends at the latest [s].
-        look_lasts: Time there until the look is to be turned, to or away [s].
+        look_lasts: Time there until the person looks away, or back again [s].
     """
 
     STATE = ("_rng", "_index", "_looks", "lasts", "until", "look_lasts")

@@ -12,7 +12,7 @@ from household.home.check import checked, problems
 from household.home.floorplan import FloorPlan, Furniture, Wall, load_floorplan
 from household.home.geometry import distance_to_segments
 from household.home.navigation.routes import routes_of
-from household.perception.kernel import between
+from household.perception.obstruction import between
 
 HOMES = ("smart_room", "studio", "two_room_flat", "family_apartment", "villa")
 ACTIVITIES = {"working", "reading", "sleeping", "playing", "entering", "calling"}

@@ -9,7 +9,7 @@ from household import household_v0
 from household.activity import Activity
 from household.config.toml import shipped
 from household.observation.encodings import Features, fields, layout
-from household.observation.kernel import REACH, View
+from household.observation.kernel import DISTANCE_SCALE, View
 from household.scenario.scenario import PersonSpec, RobotSpec, ScriptStep
 from household.scenario.validation import load_scenario
 
@@ -85,7 +85,7 @@ def expected(view, robot):
     """What the table's fields should hold, slot by slot, without compiled code."""
     n = len(view.activity)
     me, others = n + robot, [j for j in range(3) if j != robot]
-    offset = np.clip((view.position - view.position[me]) / REACH, -1.0, 1.0)
+    offset = np.clip((view.position - view.position[me]) / DISTANCE_SCALE, -1.0, 1.0)
     # Index -1, of a robot that does nothing, takes the row without a one.
     behaviors = np.eye(3, 2)[view.behavior]
     return {

@@ -128,7 +128,7 @@ def test_what_is_seen_faintly_counts_by_the_share_of_the_attention(household_of)
     env.step({"robot_0": SLEEP})
     share = 0.6 / (1 + 25 / 9) / (0.3 + 0.6 / (1 + 25 / 9))
     assert share == pytest.approx(0.3462, abs=1e-4)
-    attending = bool(env.simulation.senses.attends[0, 1])
+    attending = bool(env.simulation.senses.relations.attends[0, 1])
     table = norm_table(household_norms(), ("bark", "sleep"))
     liked = table[Activity.CALLING, int(attending), SLEEP]
     assert feelings.pleased[0, 0] == pytest.approx(2 * share * liked, abs=1e-3)

@@ -7,8 +7,14 @@ import pytest
 
 from household import household_v0
 from household.home.floorplan import Door, FloorPlan, Region, Wall
-from household.perception import kernel
-from household.perception.senses import Beings, Senses
+from household.perception.hearing import Acoustics, attenuate
+from household.perception.obstruction import (
+    Barriers,
+    Obstructions,
+    update_obstructions,
+)
+from household.perception.relations import Entities
+from household.perception.senses import Senses
 from household.scenario.scenario import (
     PerceptionModel,
     PersonSpec,
@@ -24,12 +30,19 @@ def loss_between(one, other, walls=NO_WALLS, wall_loss=25.0):
 
 
 def losses(position, walls=NO_WALLS, wall_loss=25.0, silent=0):
-    """What the kernel makes of it when everybody has just come there."""
-    position, n = np.array(position, dtype=float), len(position)
+    """What sounds lose between each two who have just come there."""
+    n = len(position)
     columns = np.ascontiguousarray(np.array(walls, dtype=float).T)
-    hidden, loss = np.zeros((n, n), dtype=np.int64), np.full((n, n), np.inf)
-    tall, before = np.zeros((4, 0)), np.full((n, 2), np.nan)
-    kernel.separate(before, position, columns, tall, wall_loss, silent, hidden, loss)
+    barriers = Barriers(walls=columns, tall=np.zeros((4, 0)))
+    obstructions = Obstructions(
+        position=np.full((n, 2), np.nan),
+        moved=np.zeros(n, dtype=bool),
+        crossed=np.zeros((n, n), dtype=np.int64),
+        hidden=np.zeros((n, n), dtype=bool),
+    )
+    loss = np.full((n, n), np.inf)
+    update_obstructions(obstructions, barriers, np.array(position, dtype=float))
+    attenuate(obstructions, Acoustics(wall_loss, silent), loss)
     return loss
 
 
@@ -73,7 +86,7 @@ def test_what_is_heard_is_the_source_less_the_loss_and_never_below_silence(room)
     senses = Senses(plan, PerceptionModel(wall_loss=25.0), 2)
     levels = {}
     for source in (85.0, 30.0):
-        beings = Beings(
+        entities = Entities(
             position=np.array([[2.0, 2.0], [6.0, 2.0]]),
             gaze=np.zeros(2),
             half_view=np.full(2, -1.0),
@@ -81,8 +94,8 @@ def test_what_is_heard_is_the_source_less_the_loss_and_never_below_silence(room)
             absorption=np.ones(2),
             source=np.array([0.0, source]),
         )
-        senses.perceive(beings, now=0.0)
-        levels[source] = senses.level[0].tolist()
+        senses.perceive(entities, now=0.0)
+        levels[source] = senses.relations.level[0].tolist()
     # 4 m and a wall: 12.04 + 25 dB; who is asleep hears all the same.
     assert levels[85.0] == pytest.approx([0.0, 47.96], abs=0.005)
     assert levels[30.0] == [0.0, 0.0]
@@ -127,10 +140,10 @@ def test_a_bark_next_door_wakes_a_light_sleeper_and_in_the_farthest_room_not(
     env.reset(seed=1)
     for _ in range(5):
         env.step({"robot_0": 1})
-    assert not env.simulation.people.intentions.eyes_open[0]
+    assert not env.simulation.people.appearance.eyes_open[0]
     env.step({"robot_0": 0})
     # 85 dB less 12.04 and 25 next door: 48; less 18.06 and 50 in the farthest: 17.
-    assert env.simulation.people.intentions.eyes_open[0] == wakes
+    assert env.simulation.people.appearance.eyes_open[0] == wakes
 
 
 def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_rooms):
@@ -151,7 +164,7 @@ def test_a_sound_sleeper_sleeps_on_where_a_light_one_wakes(household_of, three_r
         env.reset(seed=1)
         for behavior in (1, 1, 1, 0):
             env.step({"robot_0": behavior})
-        awake[persona] = env.simulation.people.intentions.eyes_open[0]
+        awake[persona] = env.simulation.people.appearance.eyes_open[0]
     assert awake == {"light_sleeper": True, "paper_actor": False}
 
 
@@ -163,6 +176,6 @@ def test_a_robot_that_is_done_is_silent(household_of):
     heard = []
     for action in ({"robot_0": 0}, {}, {}, {}):
         env.step(action)
-        heard.append(float(env.simulation.senses.level[0, 1]))
+        heard.append(float(env.simulation.senses.relations.level[0, 1]))
     # The robot is 5 m away: 85 - 13.98 dB.
     assert heard == pytest.approx([71.02, 71.02, 0.0, 0.0], abs=0.01)

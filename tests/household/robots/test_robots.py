@@ -164,7 +164,7 @@ def test_users_define_their_own_behaviors(alone_with):
     env = alone_with("whistle", "sleep", behavior=own, robot=(3.0, 2.5))
     env.step({"robot_0": 0})
     # 60 dB at 1 m are 53.98 at 2 m.
-    assert env.simulation.senses.level[0, 1] == pytest.approx(53.98, abs=0.01)
+    assert env.simulation.senses.relations.level[0, 1] == pytest.approx(53.98, abs=0.01)
     assert env.behavior("robot_0").ends == 4.0
 
 

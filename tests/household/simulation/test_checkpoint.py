@@ -35,8 +35,8 @@ class Whimsical:
         self.heard.append(percept.level.sum())
         if percept.touched:
             self.wish = None
-        for judged in percept.judgements:
-            self.wish = Wish(judged.robot, "tap", abs(judged.value), judged.cause)
+        for found in percept.appraisals:
+            self.wish = Wish(found.robot, "tap", abs(found.value), found.cause)
         loud = len(self.heard) > 9 and self.heard[-9] > 50.0
         return Intention(int(self.rng.integers(2)), look=int(loud), wish=self.wish)
 

@@ -9,7 +9,7 @@ import pytest
 from household.compiled.arrays import NOBODY
 from household.people.mind import OWN_ACTIVITY
 from household.scenario.persona import Persona
-from policies.people.gaze import Gaze
+from policies.people.gaze import Aims, Gaze
 
 PEOPLE, ROBOTS = (0, 1), (2, 3)
 QUIET = np.zeros(4)
@@ -17,9 +17,9 @@ LIVES = 4000
 
 
 def turned(gaze, percepts):
-    """Where people look who are told nothing and want nothing."""
+    """Where people look who have no reason to look anywhere."""
     n = len(gaze.look)
-    gaze.turn(percepts, np.full(n, OWN_ACTIVITY), np.full(n, NOBODY))
+    gaze.turn(percepts, Aims(np.full(n, OWN_ACTIVITY), np.full(n, NOBODY)))
     return gaze.look
 
 

@@ -14,8 +14,8 @@ from household.people.individuals import Intention
 from household.people.mind import OWN_ACTIVITY
 from household.scenario.persona import Persona
 from household.scenario.scenario import PersonSpec, ScriptStep, Stay
-from policies.people.doings import Doings
 from policies.people.minds import EverydayMinds
+from policies.people.routines import Routines
 from policies.people.schedule import Schedule, Stop
 from policies.people.script import Line, Script
 
@@ -31,11 +31,11 @@ def minutes(n):
 
 def played(lines, there, period=60.0):
     """Places after each period, spent in the place of the line or not."""
-    doings = Doings([Script(lines, np.random.default_rng(0))])
-    places = [int(doings.place[0])]
+    routines = Routines([Script(lines, np.random.default_rng(0))])
+    places = [int(routines.place[0])]
     for n, present in enumerate(there, start=1):
-        doings.play(n * period, period, np.array([present]), NO_WISH)
-        places.append(int(doings.place[0]))
+        routines.advance(n * period, period, np.array([present]), NO_WISH)
+        places.append(int(routines.place[0]))
     return places
 
 
@@ -86,23 +86,23 @@ def test_a_line_looks_for_a_while_and_looks_away_for_a_while():
         look_for=(2.0, 2.0),
         look_away=(3.0, 3.0),
     )
-    doings = Doings([Script([line], np.random.default_rng(0))])
-    looks = [int(doings.look[0])]
+    routines = Routines([Script([line], np.random.default_rng(0))])
+    looks = [int(routines.look[0])]
     for second in range(1, 11):
-        doings.play(float(second), 1.0, np.array([True]), NO_WISH)
-        looks.append(int(doings.look[0]))
+        routines.advance(float(second), 1.0, np.array([True]), NO_WISH)
+        looks.append(int(routines.look[0]))
     at, away = ROBOT, OWN_ACTIVITY
     assert looks == [at, at, away, away, away, at, at, away, away, away, at]
 
 
 def test_lengths_are_drawn_anew_between_the_shortest_and_the_longest():
     lines = [Line(place=0, duration=(10.0, 20.0)), Line(place=1, duration=(1.0, 2.0))]
-    doings = Doings([Script(lines, np.random.default_rng(0))])
+    routines = Routines([Script(lines, np.random.default_rng(0))])
     lengths, began, there = {0: [], 1: []}, 0.0, np.array([True])
     for tick in range(1, 200_000):
-        here = int(doings.place[0])
-        doings.play(tick * 0.01, 0.01, there, NO_WISH)
-        if doings.place[0] != here:
+        here = int(routines.place[0])
+        routines.advance(tick * 0.01, 0.01, there, NO_WISH)
+        if routines.place[0] != here:
             lengths[here].append(tick * 0.01 - began)
             began = tick * 0.01
     for place, (shortest, longest) in ((0, (10.0, 20.0)), (1, (1.0, 2.0))):
@@ -120,11 +120,11 @@ def test_a_schedule_stays_and_goes_on_by_its_weights():
         Stop(6, (1.0, 1.0), (1.0, 1.0, 1.0)),
         Stop(7, (1.0, 1.0), (1.0, 1.0, 1.0)),
     ]
-    doings = Doings([Schedule(stops, np.random.default_rng(0))])
-    visited, there = [int(doings.place[0])], np.array([True])
+    routines = Routines([Schedule(stops, np.random.default_rng(0))])
+    visited, there = [int(routines.place[0])], np.array([True])
     for second in range(12_000):
-        doings.play(float(second), 1.0, there, NO_WISH)
-        visited.append(int(doings.place[0]))
+        routines.advance(float(second), 1.0, there, NO_WISH)
+        visited.append(int(routines.place[0]))
     assert visited[:2] == [5, 5]
     # Three seconds a round: two at the first place, one at another.
     assert visited.count(5) == pytest.approx(8000, abs=2)
@@ -140,10 +140,10 @@ def test_a_schedule_waits_for_who_is_away():
         ],
         np.random.default_rng(0),
     )
-    doings = Doings([schedule])
+    routines = Routines([schedule])
     for second in range(50):
-        doings.play(float(second), 1.0, np.array([False]), NO_WISH)
-        assert doings.place.tolist() == [0]
+        routines.advance(float(second), 1.0, np.array([False]), NO_WISH)
+        assert routines.place.tolist() == [0]
 
 
 def test_everybody_has_a_time_of_its_own():
@@ -153,12 +153,12 @@ def test_everybody_has_a_time_of_its_own():
     )
     rngs = [np.random.default_rng(i) for i in range(3)]
     lines = (two, three, two)
-    doings = Doings([Script(*each) for each in zip(lines, rngs, strict=True)])
+    routines = Routines([Script(*each) for each in zip(lines, rngs, strict=True)])
     places = []
     for n in range(1, 5):
         arrived = np.array([True, True, n > 1])
-        doings.play(60.0 * n, 60.0, arrived, np.repeat(NO_WISH, 3))
-        places.append(doings.place.tolist())
+        routines.advance(60.0 * n, 60.0, arrived, np.repeat(NO_WISH, 3))
+        places.append(routines.place.tolist())
     assert places == [[0, 1, 0], [9, 1, 0], [9, 9, 9], [0, 9, 9]]
 
 
@@ -169,8 +169,8 @@ def mind(percepts):
     def make(*lines, **traits):
         usual = {"sanction": 1.0, "robot_interest": 0.0, "people_interest": 0.0}
         persona = Persona(name="test", **(usual | {"reflex": 0.0} | traits))
-        doings = [partial(Script, lines)] * 2
-        minds = EverydayMinds([persona] * 2, doings, 2)
+        routines = [partial(Script, lines)] * 2
+        minds = EverydayMinds([persona] * 2, routines, 2)
         rngs = [np.random.default_rng(i) for i in range(2)]
         begins = first(minds.reset(rngs))
         return (lambda **what: first(minds.decide(percepts(**what)))), begins

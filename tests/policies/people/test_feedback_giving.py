@@ -9,7 +9,7 @@ from household import household_v0
 from household.feedback import Cause
 from household.scenario.persona import Persona
 from household.scenario.scenario import PersonSpec, RobotSpec, ScriptStep
-from policies.people.giving import FeedbackGiving
+from policies.people.feedback_giving import FeedbackGiving
 
 LIVES = 4000
 """Independent people in whom a chance is counted."""
@@ -34,16 +34,16 @@ def certain(**traits):
 def wishes(percepts):
     """What somebody is out to do after each percept."""
 
-    def told(persona, perceived, seed=0):
+    def found(persona, perceived, seed=0):
         person = FeedbackGiving([persona], 2, [np.random.default_rng(seed)])
-        found = []
+        wished = []
         for each in perceived:
             person.consider(percepts(1, 2, **each))
             (wish,) = person.wishes
-            found.append(wish and (wish.kind, wish.robot))
-        return found
+            wished.append(wish and (wish.kind, wish.robot))
+        return wished
 
-    return told
+    return found
 
 
 @pytest.fixture
@@ -131,18 +131,26 @@ def test_a_wish_is_as_strong_as_the_appraisal_and_carries_its_cause(percepts):
     assert wish.cause == Cause("robot_1", 7, 0, 12.0)
 
 
-def test_a_wish_is_the_same_wish_until_it_ends(percepts):
-    person = FeedbackGiving([certain()], 2, [np.random.default_rng(0)])
-    person.consider(percepts(1, 2, bouts=(bout(-1.0),)))
-    (first,) = person.wishes
-    person.consider(percepts(1, 2, bouts=(bout(-1.0, robot=1),)))
-    assert person.wishes[0] is first
+def test_a_wish_changes_when_it_is_formed_and_when_it_ends(percepts):
+    """Of two people one is out to tap; a fault on its way changes nothing."""
+    rngs = [np.random.default_rng(i) for i in range(2)]
+    people = FeedbackGiving([certain(), certain(sanction=0.0)], 2, rngs)
+    fault, later = (bout(-1.0),), (bout(-1.0, robot=1),)
+    wished, changed = [], []
+    for what in ({"bouts": fault}, {"bouts": later}, {"touched": True}, {}):
+        people.consider(percepts(2, 2, **what))
+        wished.append(people.wishes[0])
+        changed.append(people.changed.tolist())
+        assert people.wishes[1] is None
+    assert wished[0] == wished[1] is not None
+    assert wished[2:] == [None, None]
+    assert changed == [[True, False], [False, False], [True, False], [False, False]]
 
 
 def test_a_new_wish_has_all_its_patience(wishes):
     fault, calm = percept(bout(-1.0)), [NOTHING] * 10
-    told = wishes(certain(patience=3.0), [*calm, fault, NOTHING, NOTHING, NOTHING])
-    assert told[-4:] == [TAP] * 4
+    wished = wishes(certain(patience=3.0), [*calm, fault, *[NOTHING] * 3])
+    assert wished[-4:] == [TAP] * 4
 
 
 @pytest.mark.parametrize("value", [1.0, 0.5])

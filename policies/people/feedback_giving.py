@@ -1,0 +1,192 @@
+"""Giving feedback: which appraisals make people touch a robot, and how."""
+
+import math
+from collections.abc import Sequence
+from typing import Annotated, NamedTuple
+
+import numpy as np
+
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
+from household.compiled.jit import bind, compiled
+from household.people.mind import Appraisals, Condition, Percepts, Wish
+from household.people.traits import Traits, traits_of
+from household.scenario.persona import Persona
+from household.simulation.random_streams import Draws
+from household.state import Stateful
+
+DRAWS = 2
+"""For each robot in each moment: whether to react, and whether by mistake in the wrong
+way."""
+
+
+class FeedbackState(NamedTuple):
+    """What everybody is out to do, and how welcome politeness is to each.
+
+    Attributes:
+        target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
+        about: Index of the robot whose bout the touch is about, shape (n_people,).
+        praises: Whether it is to be a caress, shape (n_people,).
+        waited: How long each has had its wish, shape (n_people,) [s].
+        changed: Whose wish is another than before, shape (n_people,).
+        freshness: How welcome each robot's politeness still is to each, in [0, 1],
+            shape (n_people, n_robots).
+    """
+
+    target: Annotated[Indices, "n_people"]
+    about: Annotated[Indices, "n_people"]
+    praises: Annotated[Mask, "n_people"]
+    waited: Annotated[Floats, "n_people"]
+    changed: Annotated[Mask, "n_people"]
+    freshness: Annotated[Floats, "n_people", "n_robots"]
+
+
+class FeedbackGiving(Stateful):
+    """People's readiness to praise and to sanction.
+
+    Faults are sanctioned more readily than politeness is praised; who came to expect
+    politeness praises it less and less, until a fault or a time without it brings the
+    wish back (paper, sections 3.1, 5.1 and 5.2).
+
+    Args:
+        personas: Of each person; hold every constant.
+        n_robots: How many robots there are.
+        rngs: Each person's own stream.
+
+    Attributes:
+        wishes: The touch that each person is out to give, if any.
+        changed: Whose wish changed when it was last considered, shape (n_people,).
+        target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
+    """
+
+    STATE = ("_draws", "_state", "wishes")
+
+    def __init__(
+        self,
+        personas: Sequence[Persona],
+        n_robots: int,
+        rngs: Sequence[np.random.Generator],
+    ) -> None:
+        n = len(personas)
+        self._draws = Draws(rngs, DRAWS * n_robots)
+        self.wishes: list[Wish | None] = [None] * n
+        self._state = FeedbackState(
+            target=np.full(n, NOBODY, np.intp),
+            about=np.full(n, NOBODY, np.intp),
+            praises=np.zeros(n, np.bool_),
+            waited=np.zeros(n),
+            changed=np.zeros(n, np.bool_),
+            freshness=np.ones((n, n_robots)),
+        )
+        self.changed = self._state.changed
+        self.target = self._state.target
+        self._consider = bind(_consider, self._state, traits_of(personas))
+
+    def consider(self, percepts: Percepts) -> None:
+        """Takes in what was perceived: forms, keeps, fulfills or drops wishes."""
+        anybody = self._consider(
+            percepts.appraisals, percepts.condition, percepts.period, self._draws.next()
+        )
+        if anybody:
+            for i in self.changed.nonzero()[0].tolist():
+                self.wishes[i] = self._wish(i, percepts)
+
+    def _wish(self, i: int, percepts: Percepts) -> Wish | None:
+        """What a person is out to do from now on."""
+        robot, about = int(self._state.target[i]), int(self._state.about[i])
+        if robot == NOBODY:
+            return None
+        return Wish(
+            robot=robot,
+            kind="caress" if self._state.praises[i] else "tap",
+            strength=abs(float(percepts.appraisals.value[i, about])),
+            cause=percepts.cause(about, percepts.time),
+        )
+
+
+@compiled
+def _consider(
+    state: FeedbackState,
+    traits: Traits,
+    appraisals: Appraisals,
+    condition: Condition,
+    period: float,
+    draws: Annotated[Floats, "n_people", "n_draws"],
+) -> bool:
+    """What everybody perceived makes it used to politeness, and sometimes react.
+
+    Args:
+        state: Brought up to date in place.
+        traits: Of each person, shape (n_people,).
+        appraisals: What everybody thinks of what the robots do.
+        condition: How everybody is doing.
+        period: Time since the last call [s].
+        draws: Uniform numbers, shape (n_people, DRAWS * n_robots).
+
+    Returns:
+        Whether anybody is out to do something else than before.
+    """
+    target, waited, changed = state.target, state.waited, state.changed
+    anybody = False
+    for i in range(len(target)):
+        fresh, persona = state.freshness[i], traits[i]
+        _recover(fresh, appraisals.pleasing[i], period, persona)
+        waited[i] += period
+        ends = condition.touched[i] or waited[i] > persona["patience"]
+        changed[i] = target[i] != NOBODY and ends
+        if changed[i]:
+            target[i] = NOBODY
+        appraised = 0
+        for r in range(len(fresh)):
+            if not appraisals.new[i, r]:
+                continue
+            place = DRAWS * appraised
+            chance, slip = draws[i, place], draws[i, place + 1]
+            appraised += 1
+            liked, robot = appraisals.value[i, r], appraisals.believed[i, r]
+            ready = chance < _readiness(liked, condition.mood[i], fresh[robot], persona)
+            fresh[robot] = _used_to(fresh[robot], liked, persona)
+            calls = calls_for_feedback(liked, appraisals.attending[i, r], persona)
+            if ready and calls and target[i] == NOBODY:
+                target[i], state.about[i], waited[i] = robot, r, 0.0
+                state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
+                changed[i] = True
+        anybody |= changed[i]
+    return anybody
+
+
+@compiled
+def _recover(fresh: Floats, pleasing: Mask, period: float, persona: np.void) -> None:
+    """Robots that do nothing that pleases become welcome again."""
+    recovered = 1.0 - math.exp(-period / persona["recovery"])
+    for robot in range(len(fresh)):
+        if not pleasing[robot]:
+            fresh[robot] += recovered * (1.0 - fresh[robot])
+
+
+@compiled
+def _readiness(value: float, mood: float, fresh: float, persona: np.void) -> float:
+    """Chance that a person reacts to a bout that it appraised."""
+    if value > 0.0:
+        return persona["praise"] * value * fresh
+    return persona["sanction"] * -value * (1.0 - persona["irritability"] * mood)
+
+
+@compiled
+def _used_to(fresh: float, value: float, persona: np.void) -> float:
+    """Politeness becomes what is expected; a fault makes it welcome again."""
+    if value > 0.0:
+        return fresh * (1.0 - persona["habituation"] * value)
+    return fresh + persona["contrast"] * -value * (1.0 - fresh)
+
+
+@compiled
+def calls_for_feedback(value: float, attending: bool, persona: np.void) -> bool:
+    """Whether a bout is one that such a person reacts to at all.
+
+    Args:
+        value: What it thinks of the bout, in [-1, 1].
+        attending: Whether it attended to what did it.
+        persona: Its row of the traits.
+    """
+    missed = persona["only_when_attending"] and not attending
+    return not (abs(value) < persona["tolerance"] or missed)
