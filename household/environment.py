@@ -293,7 +293,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         if self.simulation.revision != self._revision:
             activity = self.simulation.people.appearance.activity
             attends = self.simulation.senses.relations.attends
-            self._read = self._situations.seen(activity, attends)
+            close = self.simulation.proximity.close
+            self._read = self._situations.seen(activity, attends, close)
             self._revision = self.simulation.revision
         return self._read
 

@@ -13,12 +13,13 @@ from household.errors import HouseholdError, choose_from
 T = TypeVar("T")
 Point = tuple[float, float]
 
-Kind = Literal["scenario", "persona", "home"]
+Kind = Literal["scenario", "persona", "home", "family"]
 
 FOLDERS: dict[Kind, str] = {
     "scenario": "scenario/scenarios",
     "persona": "scenario/personas",
     "home": "home/homes",
+    "family": "scenario/families",
 }
 """Where the package keeps what it ships."""
 

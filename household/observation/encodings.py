@@ -14,7 +14,12 @@ from numpy.typing import NDArray
 from household.activity import Activity
 from household.compiled.arrays import Singles
 from household.compiled.jit import bind
-from household.observation.kernel import View, write_features, write_situations
+from household.observation.kernel import (
+    LEFT_OUT,
+    View,
+    write_features,
+    write_situations,
+)
 from household.scenario.scenario import Scenario
 
 
@@ -38,7 +43,7 @@ class Field:
 
 
 def fields(n_behaviors: int) -> tuple[Field, ...]:
-    """The field table.
+    """The field table; the last two of a person only where situations hold them.
 
     Args:
         n_behaviors: How many behaviors the robots can choose.
@@ -55,11 +60,16 @@ def fields(n_behaviors: int) -> tuple[Field, ...]:
         Field("person_attention", "person"),
         Field("person_faces", "person", low=-1.0),
         Field("person_mood", "person", low=-1.0),
+        Field("person_near", "person"),
+        Field("person_hears", "person"),
         Field("robot_here", "robot"),
         Field("robot_offset", "robot", 2, low=-1.0),
         Field("robot_behavior", "robot", n_behaviors),
     )
 
+
+CLOSE = ("near", "hears")
+"""Relations to the robot that a scenario may choose, as `SituationModel` calls them."""
 
 PLACES = np.dtype([(field.name, np.int64) for field in fields(1)])
 """Where each field begins."""
@@ -79,7 +89,8 @@ class Features:
             "person": scenario.slots.people or len(scenario.people),
             "robot": (scenario.slots.robots or len(scenario.robots)) - 1,
         }
-        table = fields(len(scenario.behaviors))
+        left_out = {f"person_{name}" for name in CLOSE if name not in _held(scenario)}
+        table = [f for f in fields(len(scenario.behaviors)) if f.name not in left_out]
         lengths = [slots[f.slot] * f.size for f in table]
         ends = np.cumsum(lengths).tolist()
         self.layout = {
@@ -90,7 +101,8 @@ class Features:
         high = np.repeat([f.high for f in table], lengths)
         self.space = spaces.Box(low.astype(np.float32), high.astype(np.float32))
         self._shape = (len(scenario.robots), ends[-1])
-        places = tuple(place.start for place in self.layout.values())
+        starts = {name: place.start for name, place in self.layout.items()}
+        places = tuple(starts.get(name, LEFT_OUT) for name in PLACES.names or ())
         self._write = bind(
             write_features,
             np.array([places], dtype=PLACES),
@@ -105,7 +117,7 @@ class Features:
 
 
 class Situations:
-    """The situation encoding: roles and who attends to the robot.
+    """The situation encoding: roles, who attends to the robot, and what else is chosen.
 
     Attributes:
         space: The same for every robot.
@@ -117,19 +129,29 @@ class Situations:
             {
                 "activities": spaces.MultiDiscrete([len(Activity)] * slots),
                 "attention": spaces.MultiBinary(slots),
+                **{name: spaces.MultiBinary(slots) for name in _held(scenario)},
             }
         )
+        self._names = list(self.space.spaces)
         self._shape = (len(scenario.robots), slots)
 
     def encode(self, view: View) -> list[dict[str, NDArray[Any]]]:
         """Every robot's observation; padding is `UNKNOWN` and unattending."""
         activities = np.empty(self._shape, np.int64)
-        attention = np.empty(self._shape, np.int8)
-        write_situations(activities, attention, view.activity, view.attends)
+        relations = np.empty((1 + len(CLOSE), *self._shape), np.int8)
+        write_situations(activities, relations, view)
+        arrays: dict[str, NDArray[Any]] = {"activities": activities}
+        arrays |= zip(("attention", *CLOSE), relations, strict=True)
         return [
-            {"activities": roles, "attention": looks}
-            for roles, looks in zip(activities, attention, strict=True)
+            {name: arrays[name][robot] for name in self._names}
+            for robot in range(len(activities))
         ]
+
+
+def _held(scenario: Scenario) -> tuple[str, ...]:
+    """Which of the relations in `CLOSE` situations hold."""
+    model = scenario.situation
+    return tuple(name for name in CLOSE if getattr(model, name) is not None)
 
 
 ENCODINGS: dict[str, type[Features] | type[Situations]] = {

@@ -20,6 +20,9 @@ N_ROLES = len(Activity)
 NO_ROLE = int(Activity.UNKNOWN)
 """The role in a slot for a person that the household does not have."""
 
+LEFT_OUT = -1
+"""In place of where a field begins: observations do not hold it."""
+
 
 class View(NamedTuple):
     """All that robots may know of this moment; nothing that people keep to themselves.
@@ -40,6 +43,8 @@ class View(NamedTuple):
         left: Share of each robot's bout that is left, shape (n_robots,).
         touches: Sum of caresses and of taps that each robot felt in the last step,
             shape (n_robots, 2), both in [0, 1].
+        near: Who is near each robot, shape (n_people, n_robots).
+        hears: Who would hear each robot, shape (n_people, n_robots).
     """
 
     position: Annotated[Floats, "n", 2]
@@ -52,6 +57,8 @@ class View(NamedTuple):
     behavior: Annotated[Indices, "n_robots"]
     left: Annotated[Floats, "n_robots"]
     touches: Annotated[Floats, "n_robots", 2]
+    near: Annotated[Mask, "n_people", "n_robots"]
+    hears: Annotated[Mask, "n_people", "n_robots"]
 
 
 @compiled
@@ -102,6 +109,10 @@ def _write_person(row: Singles, at: np.void, view: View, robot: int, i: int) -> 
     row[at["person_attention"] + i] = view.attention[i, me]
     row[at["person_faces"] + i] = view.facing[i, me]
     row[at["person_mood"] + i] = view.mood[robot, i]
+    if at["person_near"] != LEFT_OUT:
+        row[at["person_near"] + i] = view.near[i, robot]
+    if at["person_hears"] != LEFT_OUT:
+        row[at["person_hears"] + i] = view.hears[i, robot]
 
 
 @compiled
@@ -127,20 +138,22 @@ def _offset(position: Floats, viewer: int, j: int, axis: int) -> float:
 
 @compiled
 def write_situations(
-    activities: Integers, attention: NDArray[np.int8], activity: Indices, attends: Mask
+    activities: Integers, relations: NDArray[np.int8], view: View
 ) -> None:
     """Writes every robot's situation into its rows; padding is `NO_ROLE` and 0.
 
     Args:
         activities: Shape (n_robots, n_slots).
-        attention: Shape (n_robots, n_slots).
-        activity: Roles, shape (n_people,).
-        attends: Who attends to whom, people first, shape (n, n).
+        relations: Who attends to the robot, is near it, would hear it, in this order,
+            shape (3, n_robots, n_slots).
+        view: What robots may know.
     """
-    n_people = len(activity)
+    n_people = len(view.activity)
     activities[:] = NO_ROLE
-    attention[:] = 0
+    relations[:] = 0
     for robot in range(len(activities)):
         for i in range(n_people):
-            activities[robot, i] = activity[i]
-            attention[robot, i] = attends[i, n_people + robot]
+            activities[robot, i] = view.activity[i]
+            relations[0, robot, i] = view.attends[i, n_people + robot]
+            relations[1, robot, i] = view.near[i, robot]
+            relations[2, robot, i] = view.hears[i, robot]

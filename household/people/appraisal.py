@@ -16,12 +16,9 @@ from household.people.appearance import Appearance
 from household.people.mind import Appraisals
 from household.people.person import Person
 from household.people.traits import Traits
+from household.perception.hearing import AUDIBLE
 from household.perception.relations import Relations
-from household.scenario.norms import norm_table
 from household.scenario.scenario import Scenario
-
-AUDIBLE = 40.0
-"""Level at the ear from which a sound is noticed [dB]: a quiet room."""
 
 FULL = 70.0
 """Level at the ear from which a sound counts fully [dB]: a loud voice close by."""
@@ -44,13 +41,12 @@ class Preferences:
 
     def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
         n = len(everyone)
-        # Tastes are drawn round 0, so that on average the norms are left of them.
-        norms = norm_table(scenario.household_norms, scenario.behaviors)
-        average = (1.0 - scenario.heterogeneity) * norms
-        self._average = np.array([average] * n)
         self.values = np.array([p.preferences for p in everyone]).reshape(
             n, len(Activity), 2, -1
         )
+        # What to expect of somebody who lives here, without knowing who it is.
+        average = self.values.mean(axis=0, keepdims=True)
+        self._expected = np.broadcast_to(average, self.values.shape)
         self._rows = np.arange(n)[:, None]
 
     def now(
@@ -61,12 +57,12 @@ class Preferences:
         Args:
             activity: The role that each plays, shape (n,).
             attends: Whether each person attends to each robot, shape (n, n_robots).
-            on_average: As if everybody were the average person of the population.
+            on_average: As if each were the average of those who live here.
 
         Returns:
             Shape (n, n_robots, n_behaviors), in [-1, 1].
         """
-        values = self._average if on_average else self.values
+        values = self._expected if on_average else self.values
         preferred: Floats = values[
             self._rows, activity[:, None], attends.astype(np.intp)
         ]

@@ -52,6 +52,7 @@ class People(Stateful):
         places: Where their activities are.
         preferences: What they find polite.
         feelings: Their moods and what they think of each robot.
+        appraisals: What each thinks of what each robot does.
         appearance: How they appear to whoever looks at them.
         look: Index of the entity that each is to look at, or `OWN_ACTIVITY`, (n,).
         wishes: The touches that they are out to give.
@@ -67,7 +68,7 @@ class People(Stateful):
         "_claimed",
         "_spots",
         "_arrived",
-        "_appraisals",
+        "appraisals",
         "_last",
     )
 
@@ -91,7 +92,7 @@ class People(Stateful):
         self._spots = np.zeros((n, 2))
         self._arrived = np.zeros(n, np.bool_)
         self._percepts: Percepts | None = None
-        self._appraisals = no_appraisals(n, n_robots)
+        self.appraisals = no_appraisals(n, n_robots)
         # The decision at which the bout began that each person last appraised.
         self._last = np.full((n, n_robots), -1, np.intp)
         traits, regions = traits_of(personas), regions_of(self.places)
@@ -100,7 +101,7 @@ class People(Stateful):
             _appraise_and_feel,
             Appraisers(self.preferences.values, self._last),
             traits,
-            self._appraisals,
+            self.appraisals,
             self.feelings,
             self.appearance,
         )
@@ -201,7 +202,7 @@ class People(Stateful):
                     level=senses.relations.level[:n],
                     moving=crowd.walking[n:],
                 ),
-                appraisals=self._appraisals,
+                appraisals=self.appraisals,
                 cause=robots.cause,
             )
         self._percepts.time = now

@@ -8,6 +8,9 @@ from household.compiled.arrays import Floats
 from household.compiled.jit import compiled
 from household.perception.obstruction import Obstructions
 
+AUDIBLE = 40.0
+"""Level at the ear from which a sound is noticed [dB]: a quiet room."""
+
 NEAREST = 0.3
 """Distance below which a sound gets no louder [m]: an ear is not inside its source."""
 

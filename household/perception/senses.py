@@ -36,9 +36,10 @@ class Senses(Stateful):
             of x1, y1, x2, y2 [m]; the last ones may be NaN.
         relations: Who sees, hears and attends to whom; the same arrays from moment to
             moment, with new values in them.
+        obstructions: Where everybody is, and what is between; likewise.
     """
 
-    STATE = ("relations", "_obstructions")
+    STATE = ("relations", "obstructions")
 
     def __init__(
         self,
@@ -58,7 +59,7 @@ class Senses(Stateful):
             loss=np.full((n, n), np.inf),
             level=np.zeros((n, n)),
         )
-        self._obstructions = Obstructions(
+        self.obstructions = Obstructions(
             position=np.zeros((n, 2)),
             moved=np.zeros(n, np.bool_),
             crossed=np.zeros((n, n), np.int64),
@@ -75,13 +76,13 @@ class Senses(Stateful):
             Barriers(self.walls, _columns(plan.tall_diagonals)),
             Acoustics(model.wall_loss, silent),
             attention,
-            self._obstructions,
+            self.obstructions,
             self.relations,
         )
 
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
-        self._obstructions.position[:] = np.nan  # Everybody has moved.
+        self.obstructions.position[:] = np.nan  # Everybody has moved.
         relations = self.relations
         relations.sees[:] = relations.attends[:] = False
         relations.attention[:] = relations.level[:] = 0.0

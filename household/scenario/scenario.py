@@ -97,9 +97,16 @@ class SituationModel(Record, frozen=True, kw_only=True):
     Attributes:
         attention: none: roles alone; robot: also who attends to the robot that the
             situation is seen from; all: who attends to whom.
+        near: Distance within which somebody counts as near the robot, unless a wall or
+            a closed door is between [m]; None: situations do not say who is near.
+        hears: Loudness of the sounds of the robot that somebody would hear or not, past
+            walls and closed doors [dB at 1 m]; 75 is playing, 60 a greeting. None:
+            situations do not say who would hear the robot.
     """
 
     attention: Literal["none", "robot", "all"] = "robot"
+    near: Positive | None = None
+    hears: Annotated[float, msgspec.Meta(gt=0, le=120)] | None = None
 
 
 class PerceptionModel(Record, frozen=True, kw_only=True):

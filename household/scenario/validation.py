@@ -191,7 +191,7 @@ def _places(scenario: Scenario) -> Iterator[str]:
     bodies += [
         (f"robots[{i}].position", r.position) for i, r in enumerate(scenario.robots)
     ]
-    spots = list(_first_spots(scenario))
+    spots = list(first_spots(scenario))
     for index, (path, point) in enumerate(bodies):
         if problem := _misplaced(scenario, point):
             yield f"{path}: {problem}"
@@ -200,7 +200,7 @@ def _places(scenario: Scenario) -> Iterator[str]:
                 yield f"{path}: overlaps {other}; allowed: at least {APART} m apart"
 
 
-def _first_spots(scenario: Scenario) -> Iterator[tuple[str, Point]]:
+def first_spots(scenario: Scenario) -> Iterator[tuple[str, Point]]:
     """Where people begin who are not put anywhere, but have something to do."""
     places = Places(scenario.plan)
     for index, person in enumerate(scenario.people):

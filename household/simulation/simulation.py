@@ -21,6 +21,7 @@ from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import MakeMinds, People
 from household.people.wishes import REACH
+from household.perception.proximity import Proximity
 from household.perception.relations import Entities
 from household.perception.senses import Senses
 from household.robots.motions import MOTIONS, Mover
@@ -78,6 +79,7 @@ class Simulation(Stateful):
         "robots",
         "crowd",
         "senses",
+        "proximity",
         "moods",
         "_salience",
         "_source",
@@ -114,6 +116,7 @@ class Simulation(Stateful):
         self.senses = Senses(
             scenario.plan, scenario.perception, n, silent=n_people, zeros=zeros
         )
+        self.proximity = Proximity(scenario.situation, n_people, n_robots)
         self._streams = Streams(n_people, n_robots)
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period
@@ -162,6 +165,7 @@ class Simulation(Stateful):
         ]
         self.robots.begin()
         self.senses.forget()
+        self.proximity.forget()
         people = self.people.begin(self._streams.people)
         robots = np.array([spec.position for spec in self.scenario.robots])
         headings = np.radians([spec.heading for spec in self.scenario.robots])
@@ -249,6 +253,9 @@ class Simulation(Stateful):
         changed = self.people.appear(self.crowd.position, self.half_view)
         self.robots.show(since, self.time, self._salience, self._source)
         changed |= self.senses.perceive(self._entities, self.time)
+        changed |= self.proximity.update(
+            self.senses.obstructions, self.senses.relations
+        )
         self.revision += changed
         self._misread(self._noise.next())
 
@@ -266,6 +273,8 @@ class Simulation(Stateful):
             behavior=robots.behaviors,
             left=robots.left,
             touches=robots.felt,
+            near=self.proximity.close.near,
+            hears=self.proximity.close.hears,
         )
 
     def appropriateness(self, robot: int, *, on_average: bool = False) -> Floats:
@@ -276,7 +285,7 @@ class Simulation(Stateful):
 
         Args:
             robot: Index of the robot.
-            on_average: As if everybody were the average person of the population.
+            on_average: As if each were the average of those who live here.
 
         Returns:
             Shape (n_behaviors,), in [-1, 1].

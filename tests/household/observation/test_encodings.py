@@ -78,6 +78,8 @@ def random_view(rng, n_people=3, n_robots=3):
         behavior=rng.integers(-1, 2, size=n_robots),
         left=rng.random(n_robots),
         touches=rng.random((n_robots, 2)),
+        near=rng.random((n_people, n_robots)) < 0.5,
+        hears=rng.random((n_people, n_robots)) < 0.5,
     )
 
 
@@ -100,6 +102,8 @@ def expected(view, robot):
         "person_attention": view.attention[:n, me],
         "person_faces": view.facing[:n, me],
         "person_mood": view.mood[robot],
+        "person_near": view.near[:, robot],
+        "person_hears": view.hears[:, robot],
         "robot_here": np.ones(2),
         "robot_offset": offset[[n + j for j in others]],
         "robot_behavior": behaviors[others],
@@ -110,7 +114,8 @@ def expected(view, robot):
 def test_every_field_stands_where_the_table_says_and_padding_is_zero(
     three_and_three, seed
 ):
-    scenario = load_scenario(three_and_three)
+    situation = {"near": 2.0, "hears": 75.0}
+    scenario = load_scenario(three_and_three, situation=situation)
     encoding, view = Features(scenario), random_view(np.random.default_rng(seed))
     rows = encoding.encode(view)
     names = [field.name for field in fields(len(scenario.behaviors))]
