@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from experiments.commands.benchmarking import Bench
+from experiments.commands.evaluating import Evaluate
 from experiments.commands.replaying import Replay
 from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
@@ -27,6 +28,7 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "reproduce": Reproduce,
     "report": Report,
     "train": Train,
+    "evaluate": Evaluate,
     "replay": Replay,
     "scenarios": Scenarios,
     "check": Check,

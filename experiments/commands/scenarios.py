@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,48 +12,126 @@ from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.table import Table
+
+    from experiments.scoring.suite import Admission
     from household.scenario.scenario import Scenario
+
+DEMONSTRATION = "demonstration"
+"""What a shipped scenario is that no family stands for: good to look at, not to learn
+in, since one constant behavior is nearly right in it all the time."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scenarios:
-    """List the scenarios that come with the package."""
+    """List the scenarios and the scenario families that come with the package."""
 
     def run(self) -> None:
-        """Prints each scenario's name, size and story."""
+        """Prints each scenario's name, size and story, and each family's demand."""
         from rich.box import SIMPLE_HEAD
         from rich.table import Table
 
         from household.config.toml import shipped
+        from household.scenario.family import load_family
         from household.scenario.scenario import read_scenario
 
+        console = new_console()
         table = Table("name", "who", "what", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
         for name in shipped("scenario"):
             scenario = read_scenario(name)
-            table.add_row(name, _size(scenario), scenario.description)
-        new_console().print(table)
+            what = scenario.description
+            if not name.startswith("experiment_"):
+                what = f"{DEMONSTRATION}: {what}"
+            table.add_row(name, _size(scenario), what)
+        console.print(table)
+        table = Table("family", "demands", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+        for name in shipped("family"):
+            table.add_row(name, load_family(name).demand)
+        console.print(table)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """Check a scenario file and point at every fault in it."""
+    """Check a scenario file and point at every fault in it, or check the suite."""
 
-    file: Annotated[Positional[str], arg(metavar="FILE.toml")]
+    file: Annotated[Positional[str], arg(metavar="[FILE.toml]")] = ""
     """A TOML file, or the name of a shipped scenario."""
 
-    def run(self) -> None:
-        """Prints every fault on stderr, or what the scenario is."""
-        import sys
+    suite: bool = False
+    """Hold every shipped scenario family against the admission rule."""
 
+    households: int = 8
+    """With --suite: households of each family."""
+
+    workers: int | None = None
+    """With --suite: processes; as many as there are cores unless said otherwise."""
+
+    def run(self) -> None:
+        """Prints every fault on stderr, or what was checked.
+
+        Raises:
+            ExperimentError: The last fault; those before it are printed.
+        """
+        if self.suite == bool(self.file):
+            raise ExperimentError("check: name a file, or give --suite.")
+        faults = self._faults_of_suite() if self.suite else self._faults_of_file()
+        if faults:
+            print(*faults[:-1], sep="\n", end="\n" * (len(faults) > 1), file=sys.stderr)
+            raise ExperimentError(faults[-1])
+
+    def _faults_of_file(self) -> Sequence[str]:
         from household.scenario.scenario import read_scenario
         from household.scenario.validation import check_file
 
         faults = check_file(self.file)
-        if faults:
-            print(*faults[:-1], sep="\n", end="\n" * (len(faults) > 1), file=sys.stderr)
-            raise ExperimentError(faults[-1])
-        scenario = read_scenario(self.file)
-        new_console().print(f"{self.file}: correct; {_size(scenario)}.")
+        if not faults:
+            size = _size(read_scenario(self.file))
+            new_console().print(f"{self.file}: correct; {size}.")
+        return faults
+
+    def _faults_of_suite(self) -> Sequence[str]:
+        from experiments.running.engine import open_engine
+        from experiments.running.progress import progress
+        from experiments.scoring.suite import check_suite, shipped_families
+
+        if self.households < 2:
+            raise ExperimentError(
+                f"--households must be at least 2, got {self.households}."
+            )
+        names, console = shipped_families(), new_console()
+        engine = open_engine("local", self.workers)
+        with progress(console, "households", len(names) * self.households) as advance:
+            admissions = check_suite(names, self.households, engine, advance)
+        console.print(_suite_table(admissions))
+        return [f"{a.family}: {fault}" for a in admissions for fault in a.faults]
+
+
+def _suite_table(admissions: Sequence[Admission]) -> Table:
+    """Returns one row per family with the figures of the admission rule."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    from experiments.report.format import interval, number
+
+    table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for heading in ("family", "best constant", "95 %", "table", "95 %", "moments"):
+        table.add_column(heading)
+    table.add_column("touches a minute")
+    table.add_column("admitted")
+    for one in admissions:
+        table.add_row(
+            one.family,
+            f"{one.best_constant} {number(one.constant.value, is_share=False)}",
+            interval(one.constant, is_share=False),
+            number(one.table.value, is_share=False),
+            interval(one.table, is_share=False),
+            number(one.share.value, is_share=True),
+            number(one.touches.value, is_share=False),
+            "no" if one.faults else "yes",
+        )
+    return table
 
 
 def _size(scenario: Scenario) -> str:

@@ -1,0 +1,1 @@
+"""Scores that can be trusted: probe, lived and touches, beside reference policies."""
