@@ -7,15 +7,14 @@ next. Here each of its three ideas is varied alone, on each of its five scenario
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 import polars as pl
 
 from experiments.analysis import measures, social
-from experiments.analysis.claims import Claim
 from experiments.analysis.statistics import Estimate, FloatArray, mean
 from experiments.paper import EXPERIMENTS, e5
 from experiments.running.study import Condition, Study, Trial
@@ -36,19 +35,38 @@ FACTORS: Mapping[str, tuple[str, ...]] = {
 }
 """Factor -> levels."""
 
-PAPER: Mapping[int, frozenset[str]] = {
-    1: frozenset({"asynchronous+immediate+none"}),
-    2: frozenset({"social+immediate+none"}),
-    3: frozenset({"social+immediate+none", "social+trace+none"}),
-    4: frozenset({"social+designated+none"}),
-    5: frozenset({"social+designated+swap", "social+designated+none"}),
+
+class Combination(NamedTuple):
+    """A level of each factor, in the order of `FACTORS`."""
+
+    rate: str
+    credit: str
+    analogy: str
+
+
+PAPER: Mapping[int, frozenset[Combination]] = {
+    1: frozenset({Combination("asynchronous", "immediate", "none")}),
+    2: frozenset({Combination("social", "immediate", "none")}),
+    3: frozenset(
+        {
+            Combination("social", "immediate", "none"),
+            Combination("social", "trace", "none"),
+        }
+    ),
+    4: frozenset({Combination("social", "designated", "none")}),
+    5: frozenset(
+        {
+            Combination("social", "designated", "swap"),
+            Combination("social", "designated", "none"),
+        }
+    ),
 }
-"""The cells that the paper ran, or ours for its experiment, by experiment."""
+"""The combinations that the paper ran, or ours for its experiment, by experiment."""
 
 OUTCOMES: Mapping[str, str] = {
     "right": "appropriate choices",
     "reward": "cumulative reward",
-    "credit": "touches credited to the pair that they are about",
+    "credited": "touches credited to the pair that they are about",
 }
 """What is kept of each trial. `right` is the share of appropriate choices: in
 experiments 1 to 4 in the last quarter of the decisions, mean of the situations that the
@@ -62,24 +80,33 @@ def study(number: int, seeds: tuple[int, ...]) -> Study:
         number: Of the experiment.
         seeds: The same as of the plain run, so that all are paired.
     """
-    conditions = tuple(
-        Condition(
-            name=f"{rate}+{credit}+{analogy}",
-            scenario=f"experiment_{number}",
-            learner=LEARNERS[rate],
-            learner_overrides={"credit": credit, "analogy": analogy},
-        )
-        for rate, credit, analogy in product(*FACTORS.values())
-    )
     return Study(
         name=f"factorial/experiment_{number}",
-        conditions=conditions,
+        conditions=conditions(number),
         seeds=seeds,
-        run=partial(run_cell, number=number),
+        run=partial(run_combination, number=number),
     )
 
 
-def run_cell(trial: Trial, number: int) -> pl.DataFrame:
+def conditions(number: int) -> tuple[Condition, ...]:
+    """Returns a condition for each combination of levels, on one scenario.
+
+    Args:
+        number: Of the experiment whose scenario it is.
+    """
+    return tuple(
+        Condition(
+            name="+".join(levels),
+            scenario=f"experiment_{number}",
+            learner=LEARNERS[levels.rate],
+            learner_overrides={"credit": levels.credit, "analogy": levels.analogy},
+            factors=levels._asdict(),
+        )
+        for levels in map(Combination._make, product(*FACTORS.values()))
+    )
+
+
+def run_combination(trial: Trial, number: int) -> pl.DataFrame:
     """Runs a trial and keeps its outcomes alone.
 
     Args:
@@ -93,16 +120,16 @@ def run_cell(trial: Trial, number: int) -> pl.DataFrame:
     found = {
         "right": _right(frame, number),
         "reward": measures.final_reward(frame),
-        "credit": social.credit_accuracy(frame),
+        "credited": social.credit_accuracy(frame),
     }
     schema = dict.fromkeys(OUTCOMES, pl.Float64)
     return pl.DataFrame([found], schema=schema).fill_nan(None)
 
 
 def _right(frame: pl.DataFrame, number: int) -> float:
-    scenes = EXPERIMENTS[number].scenes
-    if scenes:
-        shares = [social.right_share(frame, scene.find(frame)) for scene in scenes]
+    situations = EXPERIMENTS[number].target_situations
+    if situations:
+        shares = [social.right_share(frame, one.find(frame)) for one in situations]
         return float(np.mean(shares))
     late = frame.filter(pl.col("chosen") & (pl.col("time") >= e5.PHASE))
     return float(measures.appropriate(late).mean())
@@ -111,7 +138,7 @@ def _right(frame: pl.DataFrame, number: int) -> float:
 def level_means(
     frame: pl.DataFrame, outcome: str, levels: Mapping[str, str]
 ) -> FloatArray:
-    """Returns an outcome per seed, averaged over all cells with some levels.
+    """Returns an outcome per seed, averaged over all combinations with some levels.
 
     Args:
         frame: The table of one of the studies.
@@ -121,141 +148,18 @@ def level_means(
     Returns:
         Shape (n_seeds,), in the order of the seeds; NaN where all is null.
     """
-    parts = pl.col("condition").str.split("+")
-    chosen = frame
-    for index, factor in enumerate(FACTORS):
-        if factor in levels:
-            chosen = chosen.filter(parts.list.get(index) == levels[factor])
-    means = chosen.group_by("seed").agg(pl.col(outcome).mean()).sort("seed")
+    means = (
+        frame.filter(**levels).group_by("seed").agg(pl.col(outcome).mean()).sort("seed")
+    )
     values: FloatArray = means[outcome].cast(pl.Float64).fill_null(np.nan).to_numpy()
     return values
 
 
-@dataclass(frozen=True, kw_only=True)
-class Contrast:
-    """A directional statement: two levels of one factor, on one scenario."""
-
-    number: int
-    """Of the experiment whose scenario it is."""
-
-    text: str
-    """What is claimed."""
-
-    factor: str
-    """One of `FACTORS`."""
-
-    more: str
-    """Level that the claim is about."""
-
-    less: str
-    """Level that it is compared with."""
-
-    fixed: Mapping[str, str]
-    """The paper's levels of the other factors."""
-
-    rule: str = "above"
-    """A key of `claims.RULES`."""
-
-    threshold: float = 0.0
-    """What the rule compares with."""
-
-    def claims(self) -> tuple[Claim, Claim]:
-        """Returns the statement at the paper's levels, and averaged over all others."""
-        return self._claim("paper's levels", self.fixed), self._claim("all levels", {})
-
-    def _claim(self, where: str, fixed: Mapping[str, str]) -> Claim:
-        return Claim(
-            id=f"F{self.number}",
-            text=self.text,
-            reading="Appropriate choices, paired by seed.",
-            condition=f"{self.more} - {self.less}, {where}",
-            measure=partial(self._difference, fixed=fixed),
-            rule=self.rule,
-            threshold=self.threshold,
-            estimate=mean,
-            unit="share of choices",
-        )
-
-    def _difference(self, frame: pl.DataFrame, fixed: Mapping[str, str]) -> FloatArray:
-        one = level_means(frame, "right", {**fixed, self.factor: self.more})
-        return one - level_means(frame, "right", {**fixed, self.factor: self.less})
-
-
-_PLAIN = {"credit": "immediate", "analogy": "none"}
-
-FINDINGS = (
-    Contrast(
-        number=1,
-        text="Standard Q-learning suffers from silence.",
-        factor="rate",
-        more="skip_silence",
-        less="asynchronous",
-        fixed=_PLAIN,
-    ),
-    Contrast(
-        number=2,
-        text="The social rate is better than the asynchronous one.",
-        factor="rate",
-        more="social",
-        less="asynchronous",
-        fixed=_PLAIN,
-    ),
-    Contrast(
-        number=3,
-        text="A classic trace is no answer to delayed touches.",
-        factor="credit",
-        more="trace",
-        less="immediate",
-        fixed={"rate": "social", "analogy": "none"},
-        rule="no better than",
-        threshold=0.1,
-    ),
-    Contrast(
-        number=4,
-        text="Designated credit is.",
-        factor="credit",
-        more="designated",
-        less="immediate",
-        fixed={"rate": "social", "analogy": "none"},
-    ),
-    Contrast(
-        number=5,
-        text="Swapping roles carries over to the other person.",
-        factor="analogy",
-        more="swap",
-        less="none",
-        fixed={"rate": "social", "credit": "designated"},
-    ),
-)
-"""The paper's five findings, each as one factor's effect on appropriate choices."""
-
-_DESIGNATED = {"credit": "designated", "analogy": "none"}
-
-_LEVELS: Mapping[int, Mapping[str, str]] = {
-    **dict.fromkeys((1, 2, 3), _PLAIN),
-    4: _DESIGNATED,
-    5: {"credit": "designated", "analogy": "swap"},
-}
-"""The paper's credit and analogy in each experiment."""
-
-
-def against_silence(number: int) -> Contrast:
-    """Returns whether the social rate beats not learning from silence at all."""
-    return Contrast(
-        number=number,
-        text="The social rate is better than learning from touches alone.",
-        factor="rate",
-        more="social",
-        less="skip_silence",
-        fixed=_LEVELS[number],
-    )
-
-
-def cells(frame: pl.DataFrame, outcome: str) -> Mapping[str, Estimate]:
-    """Returns an outcome of every cell, by the condition's name."""
+def estimates(frame: pl.DataFrame, outcome: str) -> Mapping[Combination, Estimate]:
+    """Returns an outcome of every combination that was run."""
     found = {}
-    for name in frame["condition"].unique(maintain_order=True):
-        levels = dict(zip(FACTORS, name.split("+"), strict=True))
-        values = level_means(frame, outcome, levels)
-        found[name] = mean(values[~np.isnan(values)])
+    ran = frame.select(Combination._fields).unique(maintain_order=True)
+    for levels in map(Combination._make, ran.iter_rows()):
+        values = level_means(frame, outcome, levels._asdict())
+        found[levels] = mean(values[~np.isnan(values)])
     return found

@@ -14,7 +14,12 @@ import numpy as np
 import polars as pl
 import pytest
 
-from experiments.running.trial_table import Rows, schema
+from experiments.paper import EXPERIMENTS
+from experiments.running.store import Results
+from experiments.running.trial_columns import schema, situation_columns
+from experiments.running.trial_table import TrialTable
+from experiments.studies import factorial, sensitivity
+from household.perception.situation import Situation
 from learners.catalog import make_learner
 from policies.learning import LearningRobot, run_episode
 
@@ -123,7 +128,7 @@ class PlayHome:
         return float(self.decision)
 
     def situation(self, agent):
-        return "ann playing"
+        return Situation.of({"ann": "playing"})
 
     def behavior_over(self, agent):
         return self.doing is None or self.decision - self.begun >= 2
@@ -158,10 +163,10 @@ def play_trial():
         learner = make_learner(
             trial.condition.learner, 2, np.random.default_rng(trial.seed)
         )
-        rows = Rows()
+        table = TrialTable()
         robots = {"robot_0": LearningRobot(learner)}
-        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[rows])
-        return rows.frame()
+        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[table])
+        return table.frame()
 
     return run
 
@@ -179,7 +184,7 @@ def table():
                 "next_time": 2.0 * index + 2.0,
                 "decision": 2 * index,
                 "bout": 2 * index,
-                "situation": situation,
+                **situation_columns(situation),
                 "behavior": behavior,
                 "chosen": True,
                 "attended": False,
@@ -195,3 +200,51 @@ def table():
         return pl.DataFrame(rows, schema=schema(("bark", "play")), orient="row")
 
     return make
+
+
+@pytest.fixture
+def stored(tmp_path, play_trial):
+    """Directory with the plain run of experiment 1 and its factorial, in a toy home."""
+    plain, combined = EXPERIMENTS[1].study((0, 1)), factorial.study(1, (0, 1))
+    for study in (plain, combined):
+        results = Results(tmp_path / study.name)
+        results.prepare(study, {})
+        for index, trial in enumerate(study.trials()):
+            made = pl.DataFrame({"right": [0.5 + index / 1000], "reward": 1.0})
+            frame = play_trial(trial, 60) if study is plain else made
+            results.write(trial, frame)
+    return tmp_path
+
+
+@pytest.fixture
+def plain_table(stored):
+    """The table of the plain run."""
+    study = EXPERIMENTS[1].study((0, 1))
+    return Results(stored / study.name).read(study)
+
+
+@pytest.fixture
+def variant():
+    """Returns a function that finds a variant of experiment 1."""
+
+    def find(name, direction="up"):
+        every = sensitivity.variants([EXPERIMENTS[1]])
+        return next(
+            one
+            for one in every
+            if one.constant.name == name and one.direction == direction
+        )
+
+    return find
+
+
+@pytest.fixture
+def varied(stored, play_trial, variant):
+    """A variant whose trials are there; the toy home does not change with it."""
+    one = variant("learner: gamma")
+    study = one.study((0, 1))
+    results = Results(stored / study.name)
+    results.prepare(study, {})
+    for trial in study.trials():
+        results.write(trial, play_trial(trial, 60))
+    return one

@@ -3,10 +3,14 @@ import pytest
 
 from experiments.analysis.measures import touches
 from experiments.running.study import Condition, Trial
-from experiments.running.trial_table import Rows, schema
+from experiments.running.trial_columns import key_of, schema
+from experiments.running.trial_table import TrialTable
+from household.perception.situation import Situation
 from learners.experience import Feedback
 from learners.learner import Credit, Share
 from policies.learning import LearningRobot, run_episode
+
+PLAY = Situation.of({"ann": "playing"})
 
 
 @pytest.fixture
@@ -43,7 +47,7 @@ def test_each_touch_knows_the_bout_that_it_is_truly_about(play_trial, trial):
     assert (felt["cause_bout"] == felt["time"] - 2).all()
     taps = felt.filter(pl.col("value") < 0)
     assert set(taps["cause_behavior"]) == {"bark"}
-    assert set(felt["cause_situation"]) == {"ann playing"}
+    assert set(felt["cause_situation"]) == {key_of(PLAY)}
 
 
 def test_immediate_credit_of_a_prompt_touch_hits_the_true_bout(play_trial, trial):
@@ -87,8 +91,8 @@ class Believer:
         return pl.Series([0.0, 0.0]).to_numpy()
 
     def learn(self, experience):
-        first = Share(state="ann playing", action=1, time=0.0, weight=1.0)
-        other = Share(state="ann playing", action=0, time=4.0, weight=0.2)
+        first = Share(state=PLAY, action=1, time=0.0, weight=1.0)
+        other = Share(state=PLAY, action=0, time=4.0, weight=0.2)
         self.credits = tuple(
             Credit(feedback=touch, shares=(first, other), designated=None)
             for touch in experience.feedback
@@ -97,10 +101,10 @@ class Believer:
 
 
 def test_without_a_designated_pair_the_largest_share_counts(play_home):
-    rows = Rows()
+    table = TrialTable()
     robots = {"robot_0": LearningRobot(Believer())}
-    run_episode(play_home(60), robots, seed=0, observers=[rows])
-    felt = touches(rows.frame())
+    run_episode(play_home(60), robots, seed=0, observers=[table])
+    felt = touches(table.frame())
     assert len(felt) > 3
     assert set(felt["credited_bout"]) == {0}
     assert set(felt["credited_behavior"]) == {"play"}
@@ -112,8 +116,52 @@ class Unbelieving(Believer):
 
 
 def test_a_touch_that_nobody_credited_is_kept_without_a_pair(play_home):
-    rows = Rows()
+    table = TrialTable()
     robots = {"robot_0": LearningRobot(Unbelieving())}
-    run_episode(play_home(60), robots, seed=0, observers=[rows])
-    felt = touches(rows.frame())
+    run_episode(play_home(60), robots, seed=0, observers=[table])
+    felt = touches(table.frame())
     assert felt["credited_behavior"].null_count() == len(felt) > 3
+
+
+def test_roles_and_attention_are_data_beside_their_key(play_home):
+    seen = Situation.of(
+        {"ann": "playing", "bob": "calling"}, [("bob", "ann"), ("ann", "robot_0")]
+    )
+
+    class Home(play_home):
+        def situation(self, agent):
+            return PLAY if self.decision < 10 else seen
+
+    table = TrialTable()
+    robots = {"robot_0": LearningRobot(Believer())}
+    run_episode(Home(20), robots, seed=0, observers=[table])
+    frame = table.frame()
+    first, last = frame.row(0, named=True), frame.row(-1, named=True)
+    assert first["roles"] == [{"actor": "ann", "role": "playing"}]
+    assert first["attention"] == []
+    assert last["roles"] == [
+        {"actor": "ann", "role": "playing"},
+        {"actor": "bob", "role": "calling"},
+    ]
+    assert last["attention"] == [
+        {"observer": "ann", "target": "robot_0"},
+        {"observer": "bob", "target": "ann"},
+    ]
+    assert frame["situation"].unique(maintain_order=True).to_list() == [
+        key_of(PLAY),
+        key_of(seen),
+    ]
+
+
+def test_what_people_want_is_kept_where_a_behavior_was_chosen(play_home):
+    class Home(play_home):
+        def situation(self, agent):
+            return Situation.of({"ann": f"role {self.decision}"})
+
+    table = TrialTable()
+    robots = {"robot_0": LearningRobot(Believer())}
+    run_episode(Home(20), robots, seed=0, observers=[table])
+    frame = table.frame()
+    assert 0 < frame["chosen"].sum() < len(frame)
+    known = frame.select(pl.col("appropriateness").is_not_null()).to_series()
+    assert (known == frame["chosen"]).all()
