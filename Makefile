@@ -1,16 +1,21 @@
-# Two commands for everyone: `make reproduce` and `make test`. Both set up .venv.
+# Two commands for everyone: `make reproduce` and `make test`. Each target sets up .venv.
 PYTHON ?= python3
 SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
-.PHONY: reproduce test lint slow golden clean
+.PHONY: reproduce test clusters lint slow golden clean
 
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
 
 test: .venv/developing
 	$(BIN)/pytest
+
+# Dask and Ray; `make test` leaves Ray out, which is 250 MB and not for every Python.
+clusters: .venv/developing
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dask,ray]'
+	$(BIN)/pytest tests/experiments/running/engine/test_clusters.py
 
 slow: .venv/developing
 	$(BIN)/pytest -m slow
