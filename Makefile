@@ -20,9 +20,11 @@ clusters: .venv/developing
 slow: .venv/developing
 	$(BIN)/pytest -m slow
 
-# Renews what histories and learners come to, when behavior has changed on purpose.
+# Renews what histories, learners and portraits of people come to, when behavior has
+# changed on purpose.
 golden: .venv/developing
 	$(BIN)/python -m tests.golden
+	$(BIN)/python -m experiments.docs_tools.portraits docs/people.md
 
 lint: .venv/developing
 	$(BIN)/ruff check .
