@@ -12,7 +12,7 @@ reproduce: .venv/installed
 test: .venv/developing
 	$(BIN)/pytest
 
-# Dask and Ray; `make test` leaves Ray out, which is 250 MB and not for every Python.
+# Trials on Dask and on Ray; `make test` leaves Ray out, which is 250 MB.
 clusters: .venv/developing
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dask,ray]'
 	$(BIN)/pytest tests/experiments/running/engine/test_clusters.py
