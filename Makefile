@@ -1,10 +1,10 @@
-# Two commands for everyone: `make reproduce` and `make test`. Both set up .venv.
+# Two commands for everyone: `make reproduce` and `make test`. Each target sets up .venv.
 PYTHON ?= python3
 SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
-.PHONY: reproduce test lint slow golden clean
+.PHONY: reproduce test clusters lint slow golden clean
 
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
@@ -12,12 +12,19 @@ reproduce: .venv/installed
 test: .venv/developing
 	$(BIN)/pytest
 
+# Trials on Dask and on Ray; `make test` leaves Ray out, which is 250 MB.
+clusters: .venv/developing
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dask,ray]'
+	$(BIN)/pytest tests/experiments/running/engine/test_clusters.py
+
 slow: .venv/developing
 	$(BIN)/pytest -m slow
 
-# Renews what histories and learners come to, when behavior has changed on purpose.
+# Renews what histories, learners and portraits of people come to, when behavior has
+# changed on purpose.
 golden: .venv/developing
 	$(BIN)/python -m tests.golden
+	$(BIN)/python -m experiments.docs_tools.portraits docs/people.md
 
 lint: .venv/developing
 	$(BIN)/ruff check .

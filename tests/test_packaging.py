@@ -2,8 +2,10 @@
 
 import configparser
 import importlib
+import importlib.metadata
 import subprocess
 import sys
+import tarfile
 import venv
 import zipfile
 from pathlib import Path
@@ -21,19 +23,33 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
-    """The wheel that the project builds; with the tools that are installed here."""
-    folder = tmp_path_factory.mktemp("wheel")
+def built(tmp_path_factory):
+    """Folder with the wheel and the source distribution, built with what is here."""
+    folder = tmp_path_factory.mktemp("built")
     subprocess.run(
         [
-            *(sys.executable, "-m", "build", "--wheel", "--no-isolation"),
+            *(sys.executable, "-m", "build", "--wheel", "--sdist", "--no-isolation"),
             *("--outdir", str(folder), str(ROOT)),
         ],
         check=True,
         capture_output=True,
     )
-    (path,) = folder.glob("*.whl")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def wheel(built):
+    (path,) = built.glob("*.whl")
     return path
+
+
+@pytest.fixture(scope="module")
+def metadata(wheel):
+    """What the wheel says of itself, field by field."""
+    (info,) = importlib.metadata.distributions(
+        name="polite-household", path=[str(wheel)]
+    )
+    return info.metadata
 
 
 @pytest.fixture(scope="module")
@@ -90,15 +106,41 @@ def test_the_wheel_holds_every_file_of_the_packages(names):
     assert sum(name.endswith(".toml") for name in there) >= 20
 
 
-def test_the_wheel_names_the_command_and_its_version(wheel, names):
+def test_the_wheel_names_the_command(wheel):
     info = f"polite_household-{household.__version__}.dist-info"
     with zipfile.ZipFile(wheel) as archive:
         scripts = configparser.ConfigParser()
         scripts.read_string(archive.read(f"{info}/entry_points.txt").decode())
-        metadata = archive.read(f"{info}/METADATA").decode()
     module, _, function = scripts["console_scripts"]["household"].partition(":")
     assert callable(getattr(importlib.import_module(module), function))
-    assert f"Version: {household.__version__}" in metadata.splitlines()
+
+
+def test_the_wheel_says_version_authors_and_license(metadata, names):
+    assert metadata["Version"] == household.__version__
+    assert metadata["Author"] == "the Household authors"
+    assert metadata["License-Expression"] == "MIT"
+    assert any(name.endswith("/licenses/LICENSE") for name in names)
+
+
+def test_the_source_distribution_holds_all_that_a_checkout_needs(built):
+    (path,) = built.glob("*.tar.gz")
+    with tarfile.open(path) as archive:
+        held = {name.partition("/")[2] for name in archive.getnames()}
+    tracked = {
+        file.relative_to(ROOT).as_posix()
+        for folder in (*PACKAGES, "docs", "tests")
+        for file in (ROOT / folder).rglob("*")
+        if file.is_file() and "__pycache__" not in file.parts
+    }
+    assert tracked <= held
+    assert {"CITATION.cff", "LICENSE", "Makefile", "README.md"} <= held
+
+
+def test_the_citation_names_the_version_and_the_license_of_the_package(metadata):
+    cited = (ROOT / "CITATION.cff").read_text("utf-8").splitlines()
+    assert f"version: {metadata['Version']}" in cited
+    assert f"license: {metadata['License-Expression']}" in cited
+    assert f'  - name: "{metadata["Author"]}"' in cited
 
 
 def test_what_the_wheel_holds_runs_from_an_empty_folder(unpacked, tmp_path):

@@ -87,7 +87,7 @@ def _table(evaluation: Evaluation, family: FamilyEvaluation) -> Table:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    from experiments.report.format import interval, number
+    from experiments.report.format import format_interval, format_number
 
     table = Table(
         title=f"{family.family}: {family.demand}",
@@ -105,11 +105,11 @@ def _table(evaluation: Evaluation, family: FamilyEvaluation) -> Table:
             called = f"always {family.best_constant}"
         table.add_row(
             called,
-            number(row.probe_greedy.value, is_share=False),
-            interval(row.probe_greedy, is_share=False),
-            number(row.share_per_minute, is_share=False),
-            number(row.verdicts_per_minute.value, is_share=False),
-            number(row.caresses_per_minute.value, is_share=False),
-            number(row.taps_per_minute.value, is_share=False),
+            format_number(row.probe_greedy.value, is_share=False),
+            format_interval(row.probe_greedy, is_share=False),
+            format_number(row.share_per_minute, is_share=False),
+            format_number(row.verdicts_per_minute.value, is_share=False),
+            format_number(row.caresses_per_minute.value, is_share=False),
+            format_number(row.taps_per_minute.value, is_share=False),
         )
     return table

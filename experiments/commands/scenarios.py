@@ -113,7 +113,7 @@ def _suite_table(admissions: Sequence[Admission]) -> Table:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    from experiments.report.format import interval, number
+    from experiments.report.format import format_interval, format_number
 
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
     for heading in ("family", "best constant", "95 %", "table", "95 %", "moments"):
@@ -123,12 +123,12 @@ def _suite_table(admissions: Sequence[Admission]) -> Table:
     for one in admissions:
         table.add_row(
             one.family,
-            f"{one.best_constant} {number(one.constant.value, is_share=False)}",
-            interval(one.constant, is_share=False),
-            number(one.table.value, is_share=False),
-            interval(one.table, is_share=False),
-            number(one.share.value, is_share=True),
-            number(one.touches.value, is_share=False),
+            f"{one.best_constant} {format_number(one.constant.value, is_share=False)}",
+            format_interval(one.constant, is_share=False),
+            format_number(one.table.value, is_share=False),
+            format_interval(one.table, is_share=False),
+            format_number(one.share.value, is_share=True),
+            format_number(one.touches.value, is_share=False),
             "no" if one.faults else "yes",
         )
     return table

@@ -1,12 +1,16 @@
 """Portraits of the shipped personas: how often each answers a bout with a touch.
 
-Run as `python -m experiments.docs_tools.portraits`; prints the table of docs/people.md.
+Run as `python -m experiments.docs_tools.portraits docs/people.md`, which renews the
+table on that page.
 """
 
 from __future__ import annotations
 
+import re
+import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -102,6 +106,19 @@ def _share(part: int, whole: int) -> str:
     return f"{part / whole:.2f}" if whole else "-"
 
 
+def renew(page: Path) -> None:
+    """Puts the table in the place of the one on a page.
+
+    Raises:
+        ValueError: If there is none on the page.
+    """
+    before = page.read_text("utf-8")
+    lines = "\n".join(table()) + "\n"
+    after, found = re.subn(rf"{re.escape(HEADER)}\n(?:\|.*\n)*", lines, before)
+    if found != 1:
+        raise ValueError(f"{page}: {found} tables of portraits, must be 1")
+    page.write_text(after, "utf-8")
+
+
 if __name__ == "__main__":
-    for line in table():
-        print(line)
+    renew(Path(sys.argv[1]))

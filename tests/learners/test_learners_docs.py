@@ -1,4 +1,3 @@
-import re
 from pathlib import Path
 
 import pytest
@@ -8,16 +7,9 @@ from learners import CATALOG
 PAGE = Path(__file__).parents[2] / "docs" / "learners.md"
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def page():
     return PAGE.read_text("utf-8")
-
-
-def test_the_examples_of_the_page_run(page, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-    assert len(blocks) == 2
-    exec("\n".join(blocks), {"__name__": "learners_page"})
 
 
 @pytest.mark.parametrize("name", CATALOG)

@@ -1,0 +1,96 @@
+"""What the pages show is run: Python, commands, and scenarios in TOML.
+
+The blocks of a page are run from top to bottom in a folder of their own, where a page
+finds the files that its earlier blocks wrote.
+"""
+
+import shlex
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+from sybil import Sybil
+from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
+
+from experiments.cli import _parse, main
+
+QUICK = ("check", "scenarios", "train")
+"""Commands that are run; of others it is checked that they understand the words."""
+
+
+def run_commands(example):
+    """Runs each line; where something is wrong, says what."""
+    faults = (_fault(shlex.split(line, comments=True)) for line in lines(example))
+    return next(filter(None, faults), None)
+
+
+def lines(example):
+    """The commands of a block, one a line."""
+    return [line for line in example.parsed.splitlines() if line.strip()]
+
+
+def _fault(words):
+    program, *arguments = words
+    if program == "make":
+        return _fault_of_make(arguments)
+    if program == "household":
+        return _fault_of_household(arguments)
+    return f"{program}: not a command that this test knows"
+
+
+def _fault_of_make(arguments):
+    done = subprocess.run(
+        ["make", "--dry-run", "--directory", str(ROOT), *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.stderr if done.returncode else None
+
+
+def _fault_of_household(arguments):
+    if arguments[0] in QUICK or "--png" in arguments:
+        status = main(arguments)
+        return f"{shlex.join(arguments)}: status {status}" if status else None
+    _parse(arguments)
+    return None
+
+
+def check_scenario(example):
+    """Writes the scenario to a file that has its name, and checks it."""
+    path = Path(f"{tomllib.loads(example.parsed)['name']}.toml")
+    path.write_text(example.parsed, "utf-8")
+    return _fault_of_household(["check", str(path)])
+
+
+ROOT = Path(__file__).parents[2]
+
+RUN = Sybil(
+    parsers=[
+        PythonCodeBlockParser(),
+        CodeBlockParser("sh", run_commands),
+        CodeBlockParser("toml", check_scenario),
+    ]
+)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch, root):
+    """An empty folder but for a scenario of one's own: that of docs/scenarios.md."""
+    monkeypatch.chdir(tmp_path)
+    for example in RUN.parse(root / "docs" / "scenarios.md"):
+        if example.region.evaluator is check_scenario:
+            example.evaluate()
+    return tmp_path
+
+
+def test_every_block_says_its_language(page, tokens):
+    """Else it would not be run."""
+    languages = {token.info for token in tokens(page) if token.type == "fence"}
+    assert languages <= {"python", "sh", "toml"}
+
+
+def test_the_blocks_of_a_page_run_from_top_to_bottom(page, folder):
+    for example in RUN.parse(page):
+        example.evaluate()

@@ -1,0 +1,32 @@
+"""Whatever the package ships has its place in the documentation."""
+
+import re
+
+import pytest
+
+from household.config.toml import shipped
+
+
+@pytest.fixture
+def read(root):
+    """Returns a function that reads a page by its name."""
+    return lambda name: (root / "docs" / name).read_text("utf-8")
+
+
+def test_every_scenario_is_described_with_its_picture(read):
+    page = read("scenarios.md")
+    for name in shipped("scenario"):
+        assert f"**{name}**" in page
+        assert f"(pictures/scenario_{name}.png)" in page
+
+
+def test_every_home_is_described_with_its_picture(read):
+    page = read("homes.md")
+    for name in shipped("home"):
+        assert f"## {name}\n" in page
+        assert f"(pictures/home_{name}.svg)" in page
+
+
+def test_the_table_of_personas_lists_exactly_those_that_are_shipped(read):
+    listed = re.findall(r"^\| (\w+) \| \d", read("people.md"), re.MULTILINE)
+    assert listed == list(shipped("persona"))

@@ -1,0 +1,19 @@
+"""Tests stand in the same rooms as what they test."""
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize(
+    "package", ["experiments", "household", "learners", "policies"]
+)
+def test_every_folder_of_tests_is_named_after_a_room(package):
+    folders = {
+        file.parent.relative_to(ROOT / "tests")
+        for file in (ROOT / "tests" / package).rglob("test_*.py")
+    }
+    assert len(folders) > 1
+    assert {folder for folder in folders if not (ROOT / folder).is_dir()} == set()
