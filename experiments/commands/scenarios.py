@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
@@ -68,6 +69,9 @@ class Check:
     workers: int | None = None
     """With --suite: processes; as many as there are cores unless said otherwise."""
 
+    out: Path | None = None
+    """With --suite: directory for suite.json, the figures."""
+
     def run(self) -> None:
         """Prints every fault on stderr, or what was checked.
 
@@ -94,6 +98,13 @@ class Check:
     def _faults_of_suite(self) -> Sequence[str]:
         from experiments.running.engine import open_engine
         from experiments.running.progress import progress
+        from experiments.running.store import (
+            commit,
+            make_directory,
+            to_json,
+            versions,
+            write_text,
+        )
         from experiments.scoring.suite import check_suite, shipped_families
 
         if self.households < 2:
@@ -105,6 +116,16 @@ class Check:
         with progress(console, "households", len(names) * self.households) as advance:
             admissions = check_suite(names, self.households, engine, advance)
         console.print(_suite_table(admissions))
+        if self.out is not None:
+            make_directory(self.out)
+            document = {
+                "format": 1,
+                "versions": versions(),
+                "commit": commit(),
+                "households": self.households,
+                "families": admissions,
+            }
+            write_text(self.out / "suite.json", to_json(document))
         return [f"{a.family}: {fault}" for a in admissions for fault in a.faults]
 
 
