@@ -286,6 +286,6 @@ class Crowd(Stateful):
                 shape (m, 2) [m].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        # Looks come from minds, which anybody may write: NumPy checks what they are.
+        # The other bodies, robots, look at nobody.
         self._look[: len(look)] = look
         self._turn_heads(self._look, focus, most)

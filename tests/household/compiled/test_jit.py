@@ -52,7 +52,7 @@ def test_all_compiled_functions_are_where_changes_are_looked_for():
     names = ("experiments", "household", "learners", "policies")
     sources = [file for name in names for file in (root / name).rglob("*.py")]
     compiles = [file for file in sources if "@compiled\n" in file.read_text("utf-8")]
-    assert root / "household" / "perception" / "kernel.py" in compiles
+    assert root / "household" / "perception" / "senses.py" in compiles
     for file in compiles:
         assert any(file.is_relative_to(package) for package in PACKAGES)
 
