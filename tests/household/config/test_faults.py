@@ -17,7 +17,7 @@ class Lamp(Record, frozen=True, kw_only=True):
 class Room(Record, frozen=True, kw_only=True):
     name: str
     lamps: tuple[Lamp, ...] = ()
-    switches: dict[str, Lamp] = {}
+    switches: dict[str, Lamp] | None = None
 
 
 @pytest.mark.parametrize(
