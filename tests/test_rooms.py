@@ -5,11 +5,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
+PACKAGES = ("experiments", "household", "learners", "policies")
 
 
-@pytest.mark.parametrize(
-    "package", ["experiments", "household", "learners", "policies"]
-)
+@pytest.mark.parametrize("package", PACKAGES)
 def test_every_folder_of_tests_is_named_after_a_room(package):
     folders = {
         file.parent.relative_to(ROOT / "tests")
