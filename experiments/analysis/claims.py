@@ -38,12 +38,8 @@ class Claim:
     reading: str
     """What exactly is measured; where the paper leaves it open, our reading."""
 
-    condition: str
-    """The condition, or the contrast of conditions, that it is checked on."""
-
     measure: StudyMeasure
-    """Takes the study's table, returns one number per seed; NaN where a seed has
-    nothing to be measured, which leaves it out."""
+    """What is measured, and on which conditions; seeds that give NaN are left out."""
 
     rule: str
     """A key of `RULES`."""
@@ -57,8 +53,16 @@ class Claim:
     unit: str = "share of seeds"
     """Of the value and the threshold."""
 
-    compared: Mapping[str, StudyMeasure] = field(default_factory=dict)
-    """The same measured on other conditions, by their names: without a verdict."""
+    is_share: bool = True
+    """Whether to show both in percent."""
+
+    compared: tuple[StudyMeasure, ...] = ()
+    """The same measured on other conditions, without a verdict."""
+
+    @property
+    def condition(self) -> str:
+        """The condition, or the contrast of conditions, that it is checked on."""
+        return self.measure.label
 
     def check(self, frame: pl.DataFrame) -> Finding:
         """Returns what came out.
@@ -72,13 +76,13 @@ class Claim:
             estimate=estimate,
             holds=bool(RULES[self.rule](estimate, self.threshold)),
             compared={
-                name: self._estimate(measure, frame)
-                for name, measure in self.compared.items()
+                measure.label: self._estimate(measure, frame)
+                for measure in self.compared
             },
         )
 
     def _estimate(self, measure: StudyMeasure, frame: pl.DataFrame) -> Estimate:
-        values = measure(frame)
+        values = measure.values(frame)
         return self.estimate(values[~np.isnan(values)])
 
 
@@ -96,7 +100,7 @@ class Finding:
     """Whether the claim's rule is met."""
 
     compared: Mapping[str, Estimate] = field(default_factory=dict)
-    """What was measured on other conditions, by their names."""
+    """What was measured on other conditions, by their labels."""
 
     def plain(self) -> dict[str, Any]:
         """Returns the finding as it is written to `claims.json`."""

@@ -11,7 +11,7 @@ import polars as pl
 from experiments.analysis import measures, social
 from experiments.analysis.measures import Measure
 from experiments.analysis.statistics import Estimate, FloatArray, mean, proportion
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
 
 BEYOND = "Beyond the paper"
 
@@ -65,10 +65,10 @@ class Method:
     """Takes one number per seed."""
 
 
-def evaluate(
+def evaluations(
     frame: pl.DataFrame,
     conditions: tuple[str, ...],
-    scenes: tuple[Scene, ...],
+    situations: tuple[TargetSituation, ...],
     further: tuple[Method, ...] = (),
 ) -> tuple[Evaluation, ...]:
     """Returns every evaluation of every condition, method by method.
@@ -76,10 +76,10 @@ def evaluate(
     Args:
         frame: The table of a study.
         conditions: In the order of presentation.
-        scenes: The situations to be learned.
+        situations: Those that are to be learned.
         further: What an experiment measures beside what all have.
     """
-    methods = [*_methods(scenes, measures.behaviors(frame)), *further]
+    methods = [*_methods(situations, measures.behaviors(frame)), *further]
     methods.sort(key=lambda method: METHODS.index(method.name))
     return tuple(
         _evaluated(method, frame, condition)
@@ -100,7 +100,9 @@ def _evaluated(method: Method, frame: pl.DataFrame, condition: str) -> Evaluatio
     )
 
 
-def _methods(scenes: tuple[Scene, ...], behaviors: tuple[str, ...]) -> Iterator[Method]:
+def _methods(
+    situations: tuple[TargetSituation, ...], behaviors: tuple[str, ...]
+) -> Iterator[Method]:
     yield Method(
         name="Cumulative reward", text="at the end", measure=measures.final_reward
     )
@@ -111,24 +113,24 @@ def _methods(scenes: tuple[Scene, ...], behaviors: tuple[str, ...]) -> Iterator[
                 text=f"{what} per minute, {when} quarter",
                 measure=_frequency(sign, quarter),
             )
-    for scene in scenes:
+    for situation in situations:
         yield Method(
             name="Q-table",
-            text=f"{scene.name}: converged",
-            measure=_converged(scene),
+            text=f"{situation.name}: converged",
+            measure=_converged(situation),
             is_share=True,
             estimate=proportion,
         )
         for behavior in behaviors:
             yield Method(
                 name="Q-table",
-                text=f"{scene.name}: final Q of {behavior.replace('_', ' ')}",
-                measure=_final_q(scene, behavior),
+                text=f"{situation.name}: final Q of {behavior.replace('_', ' ')}",
+                measure=_final_q(situation, behavior),
             )
         yield Method(
             name=BEYOND,
-            text=f"{scene.name}: right choices in the last quarter",
-            measure=_right_share(scene),
+            text=f"{situation.name}: right choices in the last quarter",
+            measure=_right_share(situation),
             is_share=True,
         )
     yield Method(
@@ -151,17 +153,17 @@ def _frequency(sign: int, quarter: int) -> Measure:
     return measure
 
 
-def _converged(scene: Scene) -> Measure:
-    return lambda trial: measures.converged(trial, scene.find(trial))
+def _converged(situation: TargetSituation) -> Measure:
+    return lambda trial: measures.converged(trial, situation.find(trial))
 
 
-def _right_share(scene: Scene) -> Measure:
-    return lambda trial: social.right_share(trial, scene.find(trial))
+def _right_share(situation: TargetSituation) -> Measure:
+    return lambda trial: social.right_share(trial, situation.find(trial))
 
 
-def _final_q(scene: Scene, behavior: str) -> Measure:
+def _final_q(situation: TargetSituation, behavior: str) -> Measure:
     def measure(trial: pl.DataFrame) -> float:
-        _, values = measures.q_curve(trial, scene.find(trial), behavior)
+        _, values = measures.q_curve(trial, situation.find(trial), behavior)
         return float(values[-1]) if len(values) else 0.0
 
     return measure

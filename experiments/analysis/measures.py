@@ -1,12 +1,13 @@
 """What is read off the tables of trials: choices, values, touches, convergence.
 
 Unless it says otherwise, a function takes the table of one trial (one seed of one
-condition; columns as in `experiments.running.trial_table`).
+condition; columns as in `experiments.running.trial_columns`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from math import ceil
 
@@ -19,11 +20,23 @@ from experiments.analysis.statistics import FloatArray
 Measure = Callable[[pl.DataFrame], float]
 """Takes the table of a trial, returns one number."""
 
-StudyMeasure = Callable[[pl.DataFrame], FloatArray]
-"""Takes the table of a study, returns one number per seed."""
-
 CONVERGED_SHARE = 0.9
 """Share of appropriate choices from which a situation counts as learned."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyMeasure:
+    """Takes the table of a study, returns one number per seed."""
+
+    label: str
+    """The condition, or the contrast of conditions, that is measured, in words."""
+
+    conditions: tuple[str, ...]
+    """Names of the conditions whose trials it needs; empty if it needs none."""
+
+    values: Callable[[pl.DataFrame], FloatArray]
+    """Takes the study's table, returns one number per seed, shape (n_seeds,); NaN where
+    a seed has nothing to be measured."""
 
 
 def per_seed(frame: pl.DataFrame, condition: str, measure: Measure) -> FloatArray:
@@ -42,14 +55,24 @@ def per_seed(frame: pl.DataFrame, condition: str, measure: Measure) -> FloatArra
     return np.array([float(measure(trial)) for trial in trials])
 
 
-def of(condition: str, measure: Measure) -> StudyMeasure:
-    """Returns a measure of a study: that of every trial of a condition."""
-    return partial(per_seed, condition=condition, measure=measure)
+def of(condition: str, measure: Measure, *, label: str | None = None) -> StudyMeasure:
+    """Returns a measure of a study: that of every trial of a condition.
+
+    Args:
+        condition: The name of the condition.
+        measure: A function of one trial's table.
+        label: What is measured, in words; None: the name of the condition.
+    """
+    return StudyMeasure(
+        label=condition if label is None else label,
+        conditions=(condition,),
+        values=partial(per_seed, condition=condition, measure=measure),
+    )
 
 
-def of_each(conditions: Sequence[str], measure: Measure) -> dict[str, StudyMeasure]:
-    """Returns the measure of a study for each of some conditions, by name."""
-    return {condition: of(condition, measure) for condition in conditions}
+def of_each(conditions: Sequence[str], measure: Measure) -> tuple[StudyMeasure, ...]:
+    """Returns the measure of a study for each of some conditions."""
+    return tuple(of(condition, measure) for condition in conditions)
 
 
 def difference(more: str, less: str, measure: Measure) -> StudyMeasure:
@@ -65,7 +88,9 @@ def difference(more: str, less: str, measure: Measure) -> StudyMeasure:
         one = per_seed(frame, more, measure)
         return one - per_seed(frame, less, measure)
 
-    return measured
+    return StudyMeasure(
+        label=f"{more} - {less}", conditions=(more, less), values=measured
+    )
 
 
 def decisions(trial: pl.DataFrame, situation: str | None) -> pl.DataFrame:
@@ -83,6 +108,9 @@ def last_quarter(table: pl.DataFrame) -> pl.DataFrame:
 def appropriate(table: pl.DataFrame) -> npt.NDArray[np.bool_]:
     """Returns which entries did what the people then wanted most.
 
+    Args:
+        table: Entries in which a behavior was chosen.
+
     Returns:
         Shape (n_rows,). Where several behaviors are wanted equally, each will do.
     """
@@ -97,10 +125,13 @@ def appropriate(table: pl.DataFrame) -> npt.NDArray[np.bool_]:
 def q_curve(
     trial: pl.DataFrame, situation: str | None, behavior: str
 ) -> tuple[FloatArray, FloatArray]:
-    """Returns how one Q-value went: the times of its changes and its values.
+    """Returns the course of one Q-value: the times of its changes and its values.
+
+    Every change of a situation that the study follows has its own time. A change of
+    another one has the time at which the robot met it again, or the trial's end.
 
     Returns:
-        Times [s] and values, equally long; both empty if the situation never was.
+        Times [s] and values, equally long; both empty if the situation was never met.
         The first is the value when the situation was first met.
     """
     met = trial.filter(pl.col("situation") == pl.lit(situation, pl.String)).head(1)
@@ -127,7 +158,7 @@ def behaviors(frame: pl.DataFrame) -> tuple[str, ...]:
 
 
 def final_q(trial: pl.DataFrame, situation: str | None) -> dict[str, float]:
-    """Returns the Q-values of a situation at the end; empty if it never was."""
+    """Returns the Q-values of a situation at the end; empty if it was never met."""
     curves = {name: q_curve(trial, situation, name)[1] for name in behaviors(trial)}
     return {name: float(curve[-1]) for name, curve in curves.items() if len(curve)}
 
@@ -177,7 +208,7 @@ def fall_from_peak(values: FloatArray) -> float:
 
 
 def touches(table: pl.DataFrame) -> pl.DataFrame:
-    """Returns one row per touch, with the columns of `trial_table.TOUCH`.
+    """Returns one row per touch, with the columns of `trial_columns.TOUCH`.
 
     Args:
         table: The table of a trial or of a study; `condition` and `seed` are kept.

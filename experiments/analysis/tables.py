@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, kw_only=True)
-class Entry:
+class Cell:
     """A cell of a table."""
 
     text: str
@@ -32,7 +32,7 @@ class Table:
     header: tuple[str, ...]
     """Of each column, the row headings' first."""
 
-    rows: tuple[tuple[str, tuple[Entry, ...]], ...]
+    rows: tuple[tuple[str, tuple[Cell, ...]], ...]
     """Heading and cells of each row."""
 
     note: str

@@ -69,26 +69,26 @@ class Train:
         from experiments.running.progress import Steps, progress
         from experiments.running.store import write_whole
         from experiments.running.trial import play
-        from experiments.running.trial_table import Rows
+        from experiments.running.trial_table import TrialTable
         from policies.recording import RecordingObserver
 
-        rows = Rows()
+        table = TrialTable()
         replay = RecordingObserver(self.out / "replay.rrd", watch=self.watch)
         with progress(console, "decisions", self.decisions) as advance:
-            robots = play(trial, [rows, replay, Steps(advance)])
-        write_whole(self.out / "trial.parquet", rows.frame().write_parquet)
+            robots = play(trial, [table, replay, Steps(advance)])
+        write_whole(self.out / "trial.parquet", table.frame().write_parquet)
         for agent, robot in robots.items():
             robot.learner.save(self.out / f"{agent}.json")
-        self._tell(console, rows.frame())
+        self._tell(console, table.frame())
 
-    def _tell(self, console: Console, table: polars.DataFrame) -> None:
+    def _tell(self, console: Console, frame: polars.DataFrame) -> None:
         """Says how it went and where everything lies."""
         from experiments.analysis.measures import final_reward, touches
 
-        values = touches(table)["value"]
+        values = touches(frame)["value"]
         console.print(
-            f"{len(table)} history entries, {(values > 0).sum()} caresses, "
-            f"{(values < 0).sum()} taps, cumulative reward {final_reward(table):.1f}."
+            f"{len(frame)} history entries, {(values > 0).sum()} caresses, "
+            f"{(values < 0).sum()} taps, cumulative reward {final_reward(frame):.1f}."
         )
         console.print(f"replay: household replay {self.out / 'replay.rrd'}")
         console.print(f"learners: {self.out}/robot_*.json")

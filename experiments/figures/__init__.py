@@ -1,25 +1,27 @@
 """Figures: the paper's, drawn anew from stored results, for print and for screens."""
 
-from experiments.figures.canvas import Cell, Column, inline, save
-from experiments.figures.rows import (
+from experiments.figures.canvas import Column, Panel, inline, save
+from experiments.figures.plots import (
     BehaviorSequence,
     CumulativeReward,
+    Plot,
     QValues,
-    Row,
     TouchFrequency,
+    legend_above,
 )
 from experiments.figures.sequences import SituationSequence, TouchesByPhase
 
 __all__ = [
     "BehaviorSequence",
-    "Cell",
     "Column",
     "CumulativeReward",
+    "Panel",
+    "Plot",
     "QValues",
-    "Row",
     "SituationSequence",
     "TouchFrequency",
     "TouchesByPhase",
     "inline",
+    "legend_above",
     "save",
 ]

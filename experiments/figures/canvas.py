@@ -1,6 +1,6 @@
-"""Puts drawn cells on a page: side by side for print, one by one for the report.
+"""Puts panels on a page: side by side for print, one by one for the report.
 
-A figure is some columns of cells that share their x axis. Files are the same, byte for
+A figure is some columns of panels that share their x axis. Files are the same, byte for
 byte, for the same data.
 """
 
@@ -64,7 +64,7 @@ _STYLE: dict[Any, object] = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cell:
+class Panel:
     """One pair of axes."""
 
     label: str
@@ -79,12 +79,12 @@ class Cell:
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """Cells one below the other, with one time axis."""
+    """Panels one below the other, with one time axis."""
 
     title: str
     """What the column shows."""
 
-    cells: tuple[Cell, ...]
+    panels: tuple[Panel, ...]
     """From top to bottom."""
 
 
@@ -100,7 +100,7 @@ def save(columns: Sequence[Column], stem: Path) -> tuple[Path, Path]:
     """
     paths = stem.with_suffix(".svg"), stem.with_suffix(".png")
     with _styled():
-        figure = _lay_out(columns)
+        figure = _arranged(columns)
         for path in paths:
             _write(figure, path)
     return paths
@@ -132,11 +132,11 @@ def _styled() -> Iterator[None]:
         yield
 
 
-def _lay_out(columns: Sequence[Column]) -> Figure:
+def _arranged(columns: Sequence[Column]) -> Figure:
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
-    heights = [cell.height for cell in columns[0].cells]
+    heights = [panel.height for panel in columns[0].panels]
     figure = Figure(
         figsize=(COLUMN_WIDTH * len(columns), sum(heights) + 0.9), layout="constrained"
     )
@@ -144,9 +144,9 @@ def _lay_out(columns: Sequence[Column]) -> Figure:
         len(heights), len(columns), sharex="col", squeeze=False, height_ratios=heights
     )
     for index, column in enumerate(columns):
-        for axes, cell in zip(grid[:, index], column.cells, strict=True):
-            axes.set_ylabel(cell.label)
-            cell.draw(axes)
+        for axes, panel in zip(grid[:, index], column.panels, strict=True):
+            axes.set_ylabel(panel.label)
+            panel.draw(axes)
         below = 14 if grid[0, index].get_legend() is None else 26
         grid[0, index].set_title(column.title, pad=below)
         grid[-1, index].set_xlabel("time [min]")
@@ -170,7 +170,7 @@ def _svg(column: Column) -> str:
     buffer = io.StringIO()
     with _styled():
         metadata = {"Date": None, "Creator": None}
-        _lay_out([column]).savefig(buffer, format="svg", metadata=metadata)
+        _arranged([column]).savefig(buffer, format="svg", metadata=metadata)
     return buffer.getvalue()
 
 
@@ -181,5 +181,5 @@ def _for_page(svg: str, column: Column, name: str) -> str:
     body = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", body)
     for color, variable in _THEMED.items():
         body = body.replace(color, f"var({variable})")
-    shown = ", ".join(cell.label.replace("\n", " ") for cell in column.cells)
+    shown = ", ".join(panel.label.replace("\n", " ") for panel in column.panels)
     return body.replace("<svg", f'<svg role="img" aria-label="{shown}"', 1)

@@ -1,11 +1,10 @@
-"""Rows of figures 5 to 7: which situation it was when, and touches phase by phase."""
+"""Plots of figures 5 to 7: which situation it was when, touches phase by phase."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import polars as pl
@@ -13,7 +12,7 @@ import polars as pl
 from experiments.analysis import measures
 from experiments.analysis.statistics import FloatArray, mean
 from experiments.figures.canvas import INK, PALETTE
-from experiments.figures.rows import (
+from experiments.figures.plots import (
     MINUTE,
     band,
     end_of,
@@ -38,34 +37,36 @@ class SituationSequence:
 
     def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
         """Draws a lane for each situation."""
-        names = self._names(trial)
-        for lane, name in enumerate(names):
-            held = trial.filter(pl.col("situation") == name)
+        shown = self._shown(trial)
+        for lane, key in enumerate(shown):
+            held = trial.filter(pl.col("situation") == key)
             begun = held["time"].to_numpy() / MINUTE
             ended = held["next_time"].to_numpy() / MINUTE
             spans = list(zip(begun, ended - begun, strict=True))
             axes.broken_barh(spans, (lane - 0.4, 0.8), color=PALETTE[lane])
-        axes.set_yticks(range(len(names)), [_short(name) for name in names])
-        axes.set_ylim(-0.6, len(names) - 0.4)
+        axes.set_yticks(range(len(shown)), list(shown.values()))
+        axes.set_ylim(-0.6, len(shown) - 0.4)
         axes.grid(visible=False)
 
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws the share of the time that each situation takes."""
         end = end_of(trials)
-        for lane, name in enumerate(self._names(trials)):
-            share = partial(time_share, column="situation", value=name, end=end)
-            band(axes, middles(end), per_trial(trials, share), lane, _short(name))
+        for lane, (key, name) in enumerate(self._shown(trials).items()):
+            share = partial(time_share, column="situation", value=key, end=end)
+            band(axes, middles(end), per_trial(trials, share), lane, name)
         axes.set_ylim(0, 1)
         axes.set_ylabel("share of\nthe time")
 
-    def _names(self, table: pl.DataFrame) -> list[str]:
+    def _shown(self, table: pl.DataFrame) -> dict[str, str]:
+        """Returns the situations that are shown, by their keys: what each is called."""
         spent = (pl.col("next_time") - pl.col("time")).sum()
-        ranked = table.group_by("situation").agg(spent.alias("spent"))
-        return (
-            ranked.sort("spent", "situation", descending=[True, False])["situation"]
+        ranked = (
+            table.group_by("situation")
+            .agg(spent.alias("spent"), pl.col("roles", "attention").first())
+            .sort("spent", "situation", descending=[True, False])
             .head(self.most)
-            .to_list()
         )
+        return {row["situation"]: _short(row) for row in ranked.iter_rows(named=True)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,7 +127,7 @@ class TouchesByPhase:
         legend_above(axes)
 
 
-def _short(situation: str) -> str:
+def _short(situation: dict[str, Any]) -> str:
     """Returns a situation of one person in a word or two, with `*` for attending."""
-    role = re.sub(r"^\w+ ", "", situation.partition(", ")[0])
-    return f"{role}*" if ">" in situation else role
+    role: str = situation["roles"][0]["role"]
+    return f"{role}*" if situation["attention"] else role

@@ -6,12 +6,12 @@ import polars as pl
 
 from experiments.analysis import measures
 from experiments.analysis.claims import Claim
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.running.study import Condition
 
-PLAY = Scene(name="PLAY", role="playing")
+PLAY = TargetSituation(name="PLAY", role="playing")
 RIGHT = "play"
 
 CONDITIONS = ("asynchronous", "synchronous")
@@ -41,7 +41,6 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "quarter of the choices are right, and Q(PLAY, play) ends on top. "
                 "Holds at 1/3 or less."
             ),
-            condition=condition,
             measure=measures.of(condition, _converged),
             rule="at most",
             threshold=1 / 3,
@@ -54,7 +53,6 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "at least 10 % of the last quarter of the choices in PLAY. Holds at "
                 "2/3 or more, the complement of 1a."
             ),
-            condition=condition,
             measure=measures.of(condition, _alternates),
             rule="at least",
             threshold=2 / 3,
@@ -66,7 +64,6 @@ def _claims(condition: str) -> tuple[Claim, ...]:
                 "Share of the seeds in which Q(PLAY, play) ends at least 30 % below "
                 "its peak. Holds at 80 % or more."
             ),
-            condition=condition,
             measure=measures.of(condition, _forgets),
             rule="at least",
             threshold=0.8,
@@ -82,7 +79,7 @@ def _figure(name: str, condition: str) -> PaperFigure:
             "the Q-values of both behaviors in PLAY, and the sum of all touches."
         ),
         condition=condition,
-        rows=(BehaviorSequence(), QValues(scene=PLAY), CumulativeReward()),
+        plots=(BehaviorSequence(), QValues(situation=PLAY), CumulativeReward()),
     )
 
 
@@ -110,5 +107,5 @@ EXPERIMENT = Experiment(
         _figure("figure_3", "asynchronous"),
         _figure("figure_3_synchronous", "synchronous"),
     ),
-    scenes=(PLAY,),
+    target_situations=(PLAY,),
 )

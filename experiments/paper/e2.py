@@ -9,14 +9,15 @@ import polars as pl
 
 from experiments.analysis import measures, social
 from experiments.analysis.claims import Claim
+from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import FloatArray, mean, proportion
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
 from experiments.figures import BehaviorSequence, CumulativeReward, QValues
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.running.study import Condition
 
-PLAY = Scene(name="PLAY", role="playing", attended=True)
-IGNORE = Scene(name="IGNORE", role="playing", attended=False)
+PLAY = TargetSituation(name="PLAY", role="playing", attended=True)
+IGNORE = TargetSituation(name="IGNORE", role="playing", attended=False)
 RIGHT = "play"
 
 SOCIAL, ASYNCHRONOUS, SKIP = "social", "asynchronous", "skip_silence"
@@ -62,6 +63,14 @@ def lowest_mean(frame: pl.DataFrame, condition: str) -> FloatArray:
     return lowest
 
 
+def _lowest(condition: str, *, label: str) -> StudyMeasure:
+    return StudyMeasure(
+        label=label,
+        conditions=(condition,),
+        values=partial(lowest_mean, condition=condition),
+    )
+
+
 CLAIMS = (
     Claim(
         id="2a",
@@ -71,7 +80,6 @@ CLAIMS = (
             "the robot): at least 90 % of the last quarter of the choices are right, "
             "and Q(PLAY, play) ends on top. Holds at 90 % or more."
         ),
-        condition=SOCIAL,
         measure=measures.of(SOCIAL, _converged),
         rule="at least",
         threshold=0.9,
@@ -86,15 +94,13 @@ CLAIMS = (
             "Asynchronous minus social, seed by seed. Holds if the whole interval is "
             "above 0."
         ),
-        condition=f"{ASYNCHRONOUS} - {SOCIAL}",
         measure=measures.difference(ASYNCHRONOUS, SOCIAL, _settled),
         rule="above",
         threshold=0.0,
         estimate=mean,
         unit="decisions",
-        compared={
-            f"{SKIP} - {SOCIAL}": measures.difference(SKIP, SOCIAL, _settled),
-        },
+        is_share=False,
+        compared=(measures.difference(SKIP, SOCIAL, _settled),),
     ),
     *(
         Claim(
@@ -106,30 +112,30 @@ CLAIMS = (
                 "seeds' cumulative rewards at the second when it is lowest, holds at "
                 "-1 touch or more."
             ),
-            condition=condition,
             measure=measure,
             rule="at least",
             threshold=threshold,
             estimate=estimate,
             unit=unit,
+            is_share=is_share,
             compared=compared,
         )
-        for condition, measure, threshold, estimate, unit, compared in (
+        for measure, threshold, estimate, unit, is_share, compared in (
             (
-                f"{SOCIAL}, at the end",
-                measures.of(SOCIAL, _ends_positive),
+                measures.of(SOCIAL, _ends_positive, label=f"{SOCIAL}, at the end"),
                 0.8,
                 proportion,
                 "share of seeds",
+                True,
                 measures.of_each(CONTROLS, _ends_positive),
             ),
             (
-                f"{SOCIAL}, lowest",
-                partial(lowest_mean, condition=SOCIAL),
+                _lowest(SOCIAL, label=f"{SOCIAL}, lowest"),
                 -1.0,
                 mean,
                 "touches",
-                {name: partial(lowest_mean, condition=name) for name in CONTROLS},
+                False,
+                tuple(_lowest(name, label=name) for name in CONTROLS),
             ),
         )
     ),
@@ -144,7 +150,6 @@ CLAIMS = (
                 "if it is above 0 with the social rate, and less than with the "
                 "asynchronous one seed by seed (whole intervals)."
             ),
-            condition=condition,
             measure=measure,
             rule="above",
             threshold=0.0,
@@ -152,17 +157,12 @@ CLAIMS = (
             unit="share of the value",
             compared=compared,
         )
-        for condition, measure, compared in (
+        for measure, compared in (
             (
-                SOCIAL,
                 measures.of(SOCIAL, _silent_loss),
                 measures.of_each(CONTROLS, _silent_loss),
             ),
-            (
-                f"{ASYNCHRONOUS} - {SOCIAL}",
-                measures.difference(ASYNCHRONOUS, SOCIAL, _silent_loss),
-                {},
-            ),
+            (measures.difference(ASYNCHRONOUS, SOCIAL, _silent_loss), ()),
         )
     ),
     Claim(
@@ -173,12 +173,12 @@ CLAIMS = (
             "first half of the entries with a touch minus second half, seed by seed. "
             "Holds if the whole interval is above 0."
         ),
-        condition=SOCIAL,
         measure=measures.of(SOCIAL, social.pull_fades),
         rule="above",
         threshold=0.0,
         estimate=mean,
         unit="touches",
+        is_share=False,
         compared=measures.of_each(CONTROLS, social.pull_fades),
     ),
 )
@@ -192,10 +192,10 @@ def _figure(name: str, condition: str, rate: str) -> PaperFigure:
             "PLAY and in IGNORE, and the sum of all touches."
         ),
         condition=condition,
-        rows=(
+        plots=(
             BehaviorSequence(),
-            QValues(scene=PLAY),
-            QValues(scene=IGNORE),
+            QValues(situation=PLAY),
+            QValues(situation=IGNORE),
             CumulativeReward(),
         ),
     )
@@ -226,5 +226,5 @@ EXPERIMENT = Experiment(
         _figure("figure_4", SOCIAL, "Social rate"),
         _figure("figure_4_asynchronous", ASYNCHRONOUS, "Control: asynchronous rate"),
     ),
-    scenes=(PLAY, IGNORE),
+    target_situations=(PLAY, IGNORE),
 )

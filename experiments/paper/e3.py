@@ -1,6 +1,6 @@
 """Experiment 3: delayed touches, credited without regard to the delay (5.3, figure 5).
 
-Scenes, figures and measures that experiment 4 shares are here.
+The situations, figures and measures that experiment 4 shares are here.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from experiments.analysis import measures, social
 from experiments.analysis.claims import Claim
 from experiments.analysis.evaluation import BEYOND, Method
 from experiments.analysis.statistics import mean
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
 from experiments.figures import (
     BehaviorSequence,
     CumulativeReward,
@@ -21,16 +21,16 @@ from experiments.figures import (
 from experiments.paper.experiment import Experiment, PaperFigure
 from experiments.running.study import Condition
 
-S11 = Scene(name="S11", role="playing", attended=True)
-S52 = Scene(name="S52", role="calling", attended=False)
-SCENES = (S11, S52)
+S11 = TargetSituation(name="S11", role="playing", attended=True)
+S52 = TargetSituation(name="S52", role="calling", attended=False)
+TARGET_SITUATIONS = (S11, S52)
 
 IMMEDIATE, TRACE, SKIP = "immediate", "trace", "skip_silence"
 
 
 def converged_in_both(trial: pl.DataFrame) -> float:
     """Returns 1 if S11 and S52 were both learned, else 0."""
-    return all(measures.converged(trial, scene.find(trial)) for scene in SCENES)
+    return all(measures.converged(trial, one.find(trial)) for one in TARGET_SITUATIONS)
 
 
 def astray(trial: pl.DataFrame) -> float:
@@ -65,11 +65,11 @@ def figure(name: str, condition: str, credit: str) -> PaperFigure:
             "S52 (on the phone, not attending), and the sum of all touches."
         ),
         condition=condition,
-        rows=(
+        plots=(
             SituationSequence(),
             BehaviorSequence(),
-            QValues(scene=S11),
-            QValues(scene=S52),
+            QValues(situation=S11),
+            QValues(situation=S52),
             CumulativeReward(),
         ),
     )
@@ -85,7 +85,6 @@ def _claims(condition: str, compared: tuple[str, ...]) -> tuple[Claim, ...]:
                 "90 % of the last quarter of the choices are right, and the right "
                 "behavior's Q-value ends on top. Holds at 20 % or less."
             ),
-            condition=condition,
             measure=measures.of(condition, converged_in_both),
             rule="at most",
             threshold=0.2,
@@ -99,7 +98,6 @@ def _claims(condition: str, compared: tuple[str, ...]) -> tuple[Claim, ...]:
                 "that the learner credits to another pair of situation and behavior; "
                 "seeds without such touches are left out. Holds at 50 % or more."
             ),
-            condition=condition,
             measure=measures.of(condition, astray),
             rule="at least",
             threshold=0.5,
@@ -139,6 +137,6 @@ EXPERIMENT = Experiment(
         figure("figure_5", IMMEDIATE, "Immediate credit"),
         figure("figure_5_trace", TRACE, "Classic eligibility trace"),
     ),
-    scenes=SCENES,
+    target_situations=TARGET_SITUATIONS,
     further=CREDIT,
 )

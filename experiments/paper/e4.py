@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from experiments.analysis import measures, social
 from experiments.analysis.claims import Claim
+from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import mean
 from experiments.paper import table_1
 from experiments.paper.e3 import (
     CREDIT,
     IMMEDIATE,
-    SCENES,
     SKIP,
+    TARGET_SITUATIONS,
     converged_in_both,
     figure,
 )
@@ -50,7 +51,6 @@ EXPERIMENT = Experiment(
                 "Share of the seeds that converge both in S11 and in S52, as in 3a. "
                 "Holds at 90 % or more."
             ),
-            condition=DESIGNATED,
             measure=measures.of(DESIGNATED, converged_in_both),
             rule="at least",
             threshold=0.9,
@@ -63,7 +63,6 @@ EXPERIMENT = Experiment(
                 "Share of all touches that are designated to the pair of situation and "
                 "behavior that was their true cause. Holds at 90 % or more."
             ),
-            condition=DESIGNATED,
             measure=measures.of(DESIGNATED, social.credit_accuracy),
             rule="at least",
             threshold=0.9,
@@ -79,8 +78,9 @@ EXPERIMENT = Experiment(
                 "learners' own code gives to three decimals, with the constants and "
                 "transition probabilities of docs/deviations.md, 22. Holds if all do."
             ),
-            condition="no trials",
-            measure=table_1.agreement,
+            measure=StudyMeasure(
+                label="no trials", conditions=(), values=table_1.agreement
+            ),
             rule="at least",
             threshold=1.0,
             estimate=table_1.computed,
@@ -91,7 +91,7 @@ EXPERIMENT = Experiment(
         figure("figure_6", DESIGNATED, "Designated credit"),
         figure("figure_6_immediate", IMMEDIATE, "Control: immediate credit"),
     ),
-    scenes=SCENES,
+    target_situations=TARGET_SITUATIONS,
     tables=(table_1.table,),
     further=CREDIT,
 )

@@ -10,12 +10,12 @@ import polars as pl
 from experiments.analysis import social
 from experiments.analysis.claims import Claim
 from experiments.analysis.evaluation import BEYOND, Method
-from experiments.analysis.measures import Measure, of, of_each
+from experiments.analysis.measures import Measure, StudyMeasure, of, of_each
 from experiments.analysis.statistics import FloatArray, mean
 from experiments.analysis.tables import Table
 from experiments.figures import CumulativeReward, TouchesByPhase
-from experiments.paper.cells import CELLS, reached, table
 from experiments.paper.experiment import Experiment, PaperFigure
+from experiments.paper.reading_situations import SITUATIONS, reached, table
 from experiments.paper.table_1 import computed
 from experiments.running.study import Condition
 
@@ -41,7 +41,7 @@ def gain(trial: pl.DataFrame) -> float:
 
 def _reached(frame: pl.DataFrame) -> FloatArray:
     met = reached(frame.filter(pl.col("condition") == SWAP), PHASE)
-    return np.array([met[cell] > 0 for cell in CELLS], dtype=np.float64)
+    return np.array([met[one] > 0 for one in SITUATIONS], dtype=np.float64)
 
 
 def _situations(frame: pl.DataFrame) -> Table:
@@ -65,7 +65,6 @@ CLAIMS = (
             "Share of caresses among the touches of phase 1, per seed; the mean of all "
             "seeds. Holds at 50 % or less."
         ),
-        condition=SWAP,
         measure=of(SWAP, first_phase),
         rule="at most",
         threshold=0.5,
@@ -80,7 +79,6 @@ CLAIMS = (
             "Share of caresses among the touches of phase 2, per seed; the mean of all "
             "seeds. Holds at 70 % or more."
         ),
-        condition=SWAP,
         measure=of(SWAP, second_phase),
         rule="at least",
         threshold=0.7,
@@ -96,7 +94,6 @@ CLAIMS = (
             "learner without analogy. Holds if the interval covers 0 or the value is "
             "below 10 percentage points."
         ),
-        condition=ALONE,
         measure=of(ALONE, gain),
         rule="no better than",
         threshold=0.1,
@@ -113,8 +110,7 @@ CLAIMS = (
             "least one seed. Where both read, the phase tells whose task it is. Holds "
             "if all are."
         ),
-        condition=SWAP,
-        measure=_reached,
+        measure=StudyMeasure(label=SWAP, conditions=(SWAP,), values=_reached),
         rule="at least",
         threshold=1.0,
         estimate=computed,
@@ -131,7 +127,7 @@ def _figure(name: str, condition: str, analogy: str) -> PaperFigure:
             "all touches; the roles are inverted after 20 minutes."
         ),
         condition=condition,
-        rows=(TouchesByPhase(boundary=PHASE), CumulativeReward()),
+        plots=(TouchesByPhase(boundary=PHASE), CumulativeReward()),
     )
 
 

@@ -13,10 +13,16 @@ from experiments.analysis import measures
 from experiments.analysis.claims import Claim, Finding
 from experiments.analysis.evaluation import Method
 from experiments.analysis.tables import Table
-from experiments.analysis.target_situations import Scene
-from experiments.figures import Cell, Column, CumulativeReward, Row, TouchFrequency
-from experiments.figures.rows import legend_above
-from experiments.running.study import Condition, Study
+from experiments.analysis.target_situations import TargetSituation
+from experiments.figures import (
+    Column,
+    CumulativeReward,
+    Panel,
+    Plot,
+    TouchFrequency,
+    legend_above,
+)
+from experiments.running.study import Condition, Study, Trial
 from experiments.running.trial import run_trial
 
 if TYPE_CHECKING:
@@ -36,8 +42,8 @@ class PaperFigure:
     condition: str
     """Whose trials it shows."""
 
-    rows: tuple[Row, ...]
-    """The same rows as in the paper, from top to bottom."""
+    plots: tuple[Plot, ...]
+    """The same plots as in the paper, from top to bottom."""
 
     def columns(self, frame: pl.DataFrame) -> tuple[Column, ...]:
         """Returns the typical seed and the mean over all seeds.
@@ -52,24 +58,24 @@ class PaperFigure:
         return (
             Column(
                 title=f"typical seed ({seed})",
-                cells=tuple(
-                    Cell(
-                        label=row.label,
-                        height=row.height,
-                        draw=partial(row.draw_trial, trial=trial),
+                panels=tuple(
+                    Panel(
+                        label=plot.label,
+                        height=plot.height,
+                        draw=partial(plot.draw_trial, trial=trial),
                     )
-                    for row in self.rows
+                    for plot in self.plots
                 ),
             ),
             Column(
                 title=f"mean of {n} seeds, 95 % interval",
-                cells=tuple(
-                    Cell(
-                        label=row.label,
-                        height=row.height,
-                        draw=partial(row.draw_seeds, trials=trials),
+                panels=tuple(
+                    Panel(
+                        label=plot.label,
+                        height=plot.height,
+                        draw=partial(plot.draw_seeds, trials=trials),
                     )
-                    for row in self.rows
+                    for plot in self.plots
                 ),
             ),
         )
@@ -101,8 +107,8 @@ class Experiment:
     """Counterparts of the paper's figures; the first one's condition is the
     experiment's own, the others are its controls."""
 
-    scenes: tuple[Scene, ...] = ()
-    """The situations to be learned, for the analysis of the Q-table."""
+    target_situations: tuple[TargetSituation, ...] = ()
+    """The situations to be learned; their Q-values are followed over time."""
 
     tables: tuple[Callable[[pl.DataFrame], Table], ...] = ()
     """What else is shown: each takes the study's table."""
@@ -116,6 +122,11 @@ class Experiment:
         return f"experiment_{self.number}"
 
     @property
+    def run(self) -> Callable[[Trial], pl.DataFrame]:
+        """Runs one trial and follows the situations to be learned."""
+        return partial(run_trial, followed=self.target_situations)
+
+    @property
     def reference(self) -> str:
         """The condition that the experiment is about."""
         return self.figures[0].condition
@@ -123,7 +134,7 @@ class Experiment:
     def study(self, seeds: tuple[int, ...]) -> Study:
         """Returns the trials to run."""
         return Study(
-            name=self.name, conditions=self.conditions, seeds=seeds, run=run_trial
+            name=self.name, conditions=self.conditions, seeds=seeds, run=self.run
         )
 
     def condition(self, name: str) -> Condition:
@@ -148,32 +159,34 @@ def comparison(experiment: Experiment, frame: pl.DataFrame) -> tuple[Column, ...
         experiment: Whose conditions.
         frame: The study's table.
     """
-    rows = (
+    plots = (
         CumulativeReward(),
         TouchFrequency(positive=True),
         TouchFrequency(positive=False),
     )
-    cells = tuple(
-        Cell(
-            label=row.label,
-            height=row.height,
-            draw=partial(_draw_conditions, row=row, experiment=experiment, frame=frame),
+    panels = tuple(
+        Panel(
+            label=plot.label,
+            height=plot.height,
+            draw=partial(
+                _draw_conditions, plot=plot, experiment=experiment, frame=frame
+            ),
         )
-        for row in rows
+        for plot in plots
     )
-    return (Column(title="mean over all seeds, 95 % interval", cells=cells),)
+    return (Column(title="mean over all seeds, 95 % interval", panels=panels),)
 
 
 def _draw_conditions(
     axes: Axes,
-    row: CumulativeReward | TouchFrequency,
+    plot: CumulativeReward | TouchFrequency,
     experiment: Experiment,
     frame: pl.DataFrame,
 ) -> None:
     for lane, condition in enumerate(experiment.conditions):
         trials = frame.filter(pl.col("condition") == condition.name)
-        row.draw_as(axes, trials, lane)
-    if isinstance(row, TouchFrequency):
+        plot.draw_as(axes, trials, lane)
+    if isinstance(plot, TouchFrequency):
         axes.set_ylim(bottom=0)
     else:
         legend_above(axes)

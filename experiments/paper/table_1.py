@@ -8,7 +8,7 @@ import numpy as np
 import polars as pl
 
 from experiments.analysis.statistics import Estimate, FloatArray
-from experiments.analysis.tables import Entry, Table
+from experiments.analysis.tables import Cell, Table
 from learners.credit.heuristics import BeforeApproach, Heuristic, MostRecent
 from learners.credit.history import History
 from learners.credit.rules import Designated
@@ -101,7 +101,7 @@ def table(frame: pl.DataFrame) -> Table:
         (
             f"({line.situation}, {line.action})",
             tuple(
-                Entry(text=text)
+                Cell(text=text)
                 for text in (
                     _seconds(line.seconds),
                     f"{line.classic:.3f}",

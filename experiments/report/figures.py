@@ -1,24 +1,14 @@
-"""Draws all figures of an experiment; in a process of its own, beside the analysis."""
+"""Draws all figures of an experiment, in a process of its own beside the analysis."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from experiments import figures
 from experiments.paper import EXPERIMENTS, Experiment, comparison
+from experiments.report.records import DrawnFigure
 from experiments.running.store import Results
 from experiments.running.study import Study
-
-
-@dataclass(frozen=True, kw_only=True)
-class Drawn:
-    """A figure: its files and what stands in the report."""
-
-    name: str
-    caption: str
-    svgs: tuple[str, ...]
-    files: tuple[Path, ...]
 
 
 def stored_study(experiment: Experiment, results: Results) -> Study:
@@ -26,7 +16,7 @@ def stored_study(experiment: Experiment, results: Results) -> Study:
     return experiment.study(tuple(results.read_study()["seeds"]))
 
 
-def draw(number: int, out: Path) -> tuple[Drawn, ...]:
+def draw(number: int, out: Path) -> tuple[DrawnFigure, ...]:
     """Draws the figures of a finished experiment into `figures`.
 
     Args:
@@ -44,7 +34,7 @@ def draw(number: int, out: Path) -> tuple[Drawn, ...]:
     name = f"{experiment.name}_rewards"
     parts.append((name, compared, comparison(experiment, frame)))
     return tuple(
-        Drawn(
+        DrawnFigure(
             name=name,
             caption=caption,
             svgs=figures.inline(columns, name),

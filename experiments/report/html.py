@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from experiments.analysis.claims import Finding, verdicts
-from experiments.report import format as wording
+from experiments.report.format import (
+    finding_interval,
+    finding_threshold,
+    finding_value,
+    format_interval,
+    format_number,
+    format_verdict,
+)
+from experiments.report.records import FactorialSummary, Published, Reproduced
 from experiments.running.store import to_json, write_text
-
-if TYPE_CHECKING:
-    from experiments.report.publish import Published, Reproduced
-    from experiments.report.study_tables import FactorialShown
 
 _TEMPLATES = Path(__file__).parent / "templates"
 
@@ -32,6 +36,12 @@ def write_report(published: Published, path: Path) -> None:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters |= {
+        "value": finding_value,
+        "interval": finding_interval,
+        "threshold": finding_threshold,
+        "verdict": format_verdict,
+    }
     template = environment.get_template("report.html.j2")
     write_text(path, template.render(_context(published)))
 
@@ -44,11 +54,10 @@ def _context(published: Published) -> dict[str, Any]:
         "n_holding": sum(ids.values()),
         "unfinished": published.unfinished,
         "parts": [_part(part, root) for part in published.reproduced],
-        "factorial": [_factorial(shown) for shown in published.factorial],
+        "factorial": [_factorial(one) for one in published.factorial],
         "silence": _silence(published.factorial),
         "sensitivity": published.sensitivity,
         "session": published.reproduced[-1].document["sessions"][-1],
-        "words": wording,
     }
 
 
@@ -56,10 +65,10 @@ def _part(part: Reproduced, root: Path) -> dict[str, Any]:
     return {
         "experiment": part.experiment,
         "claims": _claims(part.findings),
-        "drawn": part.drawn,
+        "figures": part.figures,
         "files": {
-            figure.name: [str(file.relative_to(root)) for file in figure.files]
-            for figure in part.drawn
+            figure.name: [_link(file, root) for file in figure.files]
+            for figure in part.figures
         },
         "methods": _methods(part),
         "tables": part.tables,
@@ -69,6 +78,14 @@ def _part(part: Reproduced, root: Path) -> dict[str, Any]:
         "replay": str(part.replay.relative_to(root)),
         "sessions": part.document["sessions"],
         "configuration": to_json(part.document["configuration"]),
+    }
+
+
+def _link(file: Path, root: Path) -> dict[str, str]:
+    """Returns where a file is found from the report, and which kind of file it is."""
+    return {
+        "path": file.relative_to(root).as_posix(),
+        "kind": file.suffix.removeprefix(".").upper(),
     }
 
 
@@ -86,38 +103,36 @@ def _claims(findings: tuple[Finding, ...]) -> list[dict[str, Any]]:
 
 def _compared(finding: Finding) -> list[dict[str, str]]:
     """Returns what was measured on other conditions, in words."""
-    share = wording.is_share(finding)
+    is_share = finding.claim.is_share
     return [
         {
             "condition": name,
-            "value": wording.number(estimate.value, is_share=share),
-            "interval": wording.interval(estimate, is_share=share),
+            "value": format_number(estimate.value, is_share=is_share),
+            "interval": format_interval(estimate, is_share=is_share),
         }
         for name, estimate in finding.compared.items()
     ]
 
 
-def _factorial(shown: FactorialShown) -> dict[str, Any]:
-    return {
-        "shown": shown,
-        "rows": [(one, _scale(one)) for one in (*shown.findings, *shown.silence)],
-    }
+def _factorial(summary: FactorialSummary) -> dict[str, Any]:
+    findings = (*summary.findings, *summary.silence)
+    return {"summary": summary, "rows": [(one, _scale(one)) for one in findings]}
 
 
-def _silence(factorial: tuple[FactorialShown, ...]) -> dict[str, list[int]]:
+def _silence(factorial: tuple[FactorialSummary, ...]) -> dict[str, list[int]]:
     """Returns on which experiments the social rate is better than skip_silence.
 
     Judged at the paper's levels of the other factors, by the whole interval.
     """
     verdicts: dict[str, list[int]] = {"better": [], "worse": [], "neither": []}
-    for shown in factorial:
-        estimate = shown.silence[0].estimate
+    for summary in factorial:
+        estimate = summary.silence[0].estimate
         sign = "neither"
         if estimate.low > 0:
             sign = "better"
         elif estimate.high < 0:
             sign = "worse"
-        verdicts[sign].append(shown.number)
+        verdicts[sign].append(summary.number)
     return verdicts
 
 
@@ -127,8 +142,8 @@ def _methods(part: Reproduced) -> list[dict[str, Any]]:
     for one in part.evaluations:
         cell = {
             "condition": one.condition,
-            "value": wording.number(one.estimate.value, is_share=one.is_share),
-            "interval": wording.interval(one.estimate, is_share=one.is_share),
+            "value": format_number(one.estimate.value, is_share=one.is_share),
+            "interval": format_interval(one.estimate, is_share=one.is_share),
         }
         rows.setdefault((one.method, one.measure), []).append(cell)
     return [
@@ -143,7 +158,7 @@ def _scale(finding: Finding) -> dict[str, Any]:
     points = [estimate.low, estimate.high, estimate.value, threshold, 0.0]
     known = [point for point in points if point == point]
     low, high = min(known), max(known)
-    if wording.is_share(finding) and low >= 0.0:
+    if finding.claim.is_share and low >= 0.0:
         low, high = 0.0, 1.0
     width = (high - low) or 1.0
 

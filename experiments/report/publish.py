@@ -11,69 +11,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-
-import polars as pl
 
 from experiments.analysis import measures
-from experiments.analysis.claims import Finding
-from experiments.analysis.evaluation import Evaluation, evaluate
-from experiments.analysis.tables import Table
+from experiments.analysis.evaluation import evaluations
 from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS, Experiment
-from experiments.report.figures import Drawn, draw, stored_study
+from experiments.report.figures import draw, stored_study
 from experiments.report.html import write_report
-from experiments.report.study_tables import (
-    FactorialShown,
-    SensitivityShown,
-    shown_factorial,
-    shown_sensitivity,
-)
+from experiments.report.records import DrawnFigure, Published, Reproduced
+from experiments.report.study_tables import summarize_factorial, summarize_sensitivity
 from experiments.running.engine import ctrl_c_held_back, open_engine, result_of
 from experiments.running.replays import record
 from experiments.running.store import Results, make_directory, to_json, write_text
-from experiments.running.study import Study, Trial
-
-
-@dataclass(frozen=True, kw_only=True)
-class Reproduced:
-    """An experiment with all that came out of it."""
-
-    experiment: Experiment
-    study: Study
-    document: dict[str, Any]
-    """The content of `study.json`."""
-
-    frame: pl.DataFrame
-    """The study's table."""
-
-    findings: tuple[Finding, ...]
-    evaluations: tuple[Evaluation, ...]
-    drawn: tuple[Drawn, ...]
-    tables: tuple[Table, ...]
-    typical_seed: int
-    replay: Path
-
-
-@dataclass(frozen=True, kw_only=True)
-class Published:
-    """What lies in an output directory now."""
-
-    reproduced: tuple[Reproduced, ...]
-    unfinished: tuple[str, ...]
-    """One sentence for each experiment that was left out."""
-
-    factorial: tuple[FactorialShown, ...]
-    sensitivity: SensitivityShown | None
-    claims_file: Path
-    report_file: Path
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """Every finding of every experiment."""
-        return tuple(one for part in self.reproduced for one in part.findings)
+from experiments.running.study import Trial
 
 
 def publish(out: Path) -> Published:
@@ -92,8 +43,8 @@ def publish(out: Path) -> Published:
     published = Published(
         reproduced=reproduced,
         unfinished=unfinished,
-        factorial=shown_factorial(out),
-        sensitivity=shown_sensitivity(
+        factorial=summarize_factorial(out),
+        sensitivity=summarize_sensitivity(
             out, {part.experiment.number: part.frame for part in reproduced}
         ),
         claims_file=out / "claims.json",
@@ -140,7 +91,7 @@ def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
 
 
 def _analyze(
-    experiment: Experiment, out: Path, drawn: Future[tuple[Drawn, ...]]
+    experiment: Experiment, out: Path, drawn: Future[tuple[DrawnFigure, ...]]
 ) -> Reproduced:
     results = Results(out / experiment.name)
     study = stored_study(experiment, results)
@@ -158,13 +109,13 @@ def _analyze(
         document=results.read_study(),
         frame=frame,
         findings=experiment.check(frame),
-        evaluations=evaluate(
+        evaluations=evaluations(
             frame,
             tuple(c.name for c in experiment.conditions),
-            experiment.scenes,
+            experiment.target_situations,
             experiment.further,
         ),
-        drawn=result_of(drawn),
+        figures=result_of(drawn),
         tables=tuple(make(frame) for make in experiment.tables),
         typical_seed=typical,
         replay=replay,

@@ -4,48 +4,23 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from math import isnan
 from pathlib import Path
+from typing import NamedTuple
 
 import polars as pl
 
-from experiments.analysis.claims import Finding
-from experiments.analysis.tables import Entry, Table
+from experiments.analysis.tables import Cell, Table
 from experiments.paper import EXPERIMENTS
-from experiments.report import format as wording
+from experiments.report.format import format_number
+from experiments.report.records import FactorialSummary, SensitivitySummary
 from experiments.running.store import Results
 from experiments.studies import factorial, sensitivity
+from experiments.studies.factorial import Combination
 from experiments.studies.sensitivity import Variant
 
 
-@dataclass(frozen=True, kw_only=True)
-class FactorialShown:
-    """The factorial on one experiment's scenario."""
-
-    number: int
-    n_seeds: int
-    table: Table
-    findings: tuple[Finding, ...]
-    """The paper's finding: at its own levels, and averaged over all others."""
-
-    silence: tuple[Finding, ...]
-    """Whether the social rate beats not learning from silence, in the same way."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class SensitivityShown:
-    """The sensitivity table."""
-
-    table: Table
-    firm: tuple[str, ...]
-    """Claims whose verdict no constant changes."""
-
-    n_finished: int
-    n_variants: int
-    n_seeds: int
-
-
-def shown_factorial(out: Path) -> tuple[FactorialShown, ...]:
+def summarize_factorial(out: Path) -> tuple[FactorialSummary, ...]:
     """Returns every scenario's factorial that is finished.
 
     Args:
@@ -62,28 +37,29 @@ def shown_factorial(out: Path) -> tuple[FactorialShown, ...]:
     return tuple(found)
 
 
-def _factorial(number: int, n_seeds: int, frame: pl.DataFrame) -> FactorialShown:
+def _factorial(number: int, n_seeds: int, frame: pl.DataFrame) -> FactorialSummary:
     finding = factorial.FINDINGS[number - 1]
     silence = factorial.against_silence(number)
-    return FactorialShown(
+    return FactorialSummary(
         number=number,
         n_seeds=n_seeds,
-        table=_cells(number, frame),
+        table=_combinations(number, frame),
         findings=tuple(claim.check(frame) for claim in finding.claims()),
         silence=tuple(claim.check(frame) for claim in silence.claims()),
     )
 
 
-def _cells(number: int, frame: pl.DataFrame) -> Table:
-    found = factorial.cells(frame, "right")
+def _combinations(number: int, frame: pl.DataFrame) -> Table:
+    """Returns a row for each rate with each credit rule, a column for each analogy."""
+    found = factorial.estimates(frame, "right")
     rates, credits, analogies = factorial.FACTORS.values()
 
-    def entry(name: str) -> Entry:
-        value = found[name].value
-        return Entry(
-            text=wording.number(value, is_share=True),
-            shade=value if value == value else None,
-            marked=name in factorial.PAPER[number],
+    def cell(levels: Combination) -> Cell:
+        value = found[levels].value
+        return Cell(
+            text=format_number(value, is_share=True),
+            shade=None if isnan(value) else value,
+            marked=levels in factorial.PAPER[number],
         )
 
     return Table(
@@ -93,7 +69,9 @@ def _cells(number: int, frame: pl.DataFrame) -> Table:
         rows=tuple(
             (
                 f"{rate.replace('_', ' ')}, {credit}",
-                tuple(entry(f"{rate}+{credit}+{analogy}") for analogy in analogies),
+                tuple(
+                    cell(Combination(rate, credit, analogy)) for analogy in analogies
+                ),
             )
             for rate in rates
             for credit in credits
@@ -102,9 +80,9 @@ def _cells(number: int, frame: pl.DataFrame) -> Table:
     )
 
 
-def shown_sensitivity(
+def summarize_sensitivity(
     out: Path, tables: Mapping[int, pl.DataFrame]
-) -> SensitivityShown | None:
+) -> SensitivitySummary | None:
     """Returns the sensitivity table as far as it was run; None if it was not.
 
     Args:
@@ -121,7 +99,7 @@ def shown_sensitivity(
         return None
     ids = sorted({c.id for number in tables for c in EXPERIMENTS[number].claims})
     flips = Counter(id for variant in finished for id in held.flipped(variant))
-    return SensitivityShown(
+    return SensitivitySummary(
         table=_heat_map(every, held, ids),
         firm=tuple(id for id in ids if not flips[id]),
         n_finished=len(finished),
@@ -175,12 +153,25 @@ class _Verdicts:
         return table.filter(pl.col("seed").is_in(list(seeds)))
 
 
+class _Mark(NamedTuple):
+    """What became of a claim in a variant."""
+
+    sign: str
+    """What stands for it."""
+
+    was_run: bool = False
+    """Whether there is a verdict."""
+
+    is_changed: bool = False
+    """Whether that is another verdict than without the change."""
+
+
 def _heat_map(every: Sequence[Variant], held: _Verdicts, ids: Sequence[str]) -> Table:
-    rows: dict[str, dict[tuple[str, str], tuple[str, bool]]] = {}
+    rows: dict[str, dict[tuple[str, str], _Mark]] = {}
     for variant in every:
         row = rows.setdefault(variant.constant.name, {})
         for claim in variant.experiment.claims:
-            row[claim.id, variant.direction] = _sign(variant, held, claim.id)
+            row[claim.id, variant.direction] = _mark(variant, held, claim.id)
     return Table(
         name="sensitivity",
         title="Claims by constants",
@@ -188,7 +179,7 @@ def _heat_map(every: Sequence[Variant], held: _Verdicts, ids: Sequence[str]) -> 
         rows=tuple(
             (name, tuple(_both(row, id) for id in ids))
             for name, row in rows.items()
-            if any(sign in "✓✗" for sign, _ in row.values())
+            if any(mark.was_run for mark in row.values())
         ),
         note=(
             "Left of the stroke: the constant a quarter smaller, right of it: a "
@@ -200,23 +191,23 @@ def _heat_map(every: Sequence[Variant], held: _Verdicts, ids: Sequence[str]) -> 
     )
 
 
-def _sign(variant: Variant, held: _Verdicts, id: str) -> tuple[str, bool]:
-    """A sign, and whether it is another verdict than without the change."""
+def _mark(variant: Variant, held: _Verdicts, id: str) -> _Mark:
     if variant.refusal:
-        return "-", False
+        return _Mark("-")
     if not variant.conditions:
-        return "·", False
+        return _Mark("·")
     found = held.of(variant)
     if found is None:
-        return "?", False
-    return "✓" if found[id] else "✗", id in held.flipped(variant)
+        return _Mark("?")
+    sign = "✓" if found[id] else "✗"
+    return _Mark(sign, was_run=True, is_changed=id in held.flipped(variant))
 
 
-def _both(row: Mapping[tuple[str, str], tuple[str, bool]], id: str) -> Entry:
-    signs = [row[id, direction] for direction in sensitivity.FACTORS]
-    changed = any(flipped for _, flipped in signs)
-    return Entry(
-        text="|".join(sign for sign, _ in signs),
+def _both(row: Mapping[tuple[str, str], _Mark], id: str) -> Cell:
+    marks = [row[id, direction] for direction in sensitivity.FACTORS]
+    changed = any(mark.is_changed for mark in marks)
+    return Cell(
+        text="|".join(mark.sign for mark in marks),
         shade=0.7 if changed else None,
         marked=changed,
     )

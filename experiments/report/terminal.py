@@ -1,17 +1,21 @@
-"""What the terminal says at the end: the claims table and where everything lies."""
+"""What the terminal shows at the end: the claims table and where everything lies."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from experiments.analysis.claims import verdicts
-from experiments.report import format as wording
+from experiments.report.format import (
+    VERDICTS,
+    finding_interval,
+    finding_threshold,
+    finding_value,
+)
+from experiments.report.records import Published
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
-
-    from experiments.report.publish import Published
 
 ROOM = 110
 """Width of a terminal in which claims fit on few lines [characters]."""
@@ -76,10 +80,10 @@ def claims_table(published: Published, *, narrow: bool = False) -> Table:
             claim.id if new else "",
             claim.text if new else "",
             claim.condition,
-            wording.value(finding),
-            wording.spread(finding),
-            wording.threshold(finding),
-            Text(wording.VERDICTS[finding.holds], style=_STYLES[finding.holds]),
+            finding_value(finding),
+            finding_interval(finding),
+            finding_threshold(finding),
+            Text(VERDICTS[finding.holds], style=_STYLES[finding.holds]),
         )
         before = claim.id
     return table

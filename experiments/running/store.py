@@ -28,8 +28,11 @@ from experiments.running.study import Study, Trial
 if TYPE_CHECKING:
     import polars
 
-FORMAT = 1
-"""Version of the layout; a directory of another version is refused, never converted."""
+FORMAT = 2
+"""Version of what is stored; results of another version are refused, never converted.
+
+1: situations were text alone. 2: roles, attention and factors are columns.
+"""
 
 _PACKAGES = (
     "polite-household",
@@ -113,8 +116,9 @@ class Results:
             raise ExperimentError(f"{self.study_file}: damaged ({error}).") from error
         if document.get("format") != FORMAT:
             raise ExperimentError(
-                f"{self.study_file}: format {document.get('format')!r}, "
-                f"this version reads {FORMAT}."
+                f"{self.study_file}: holds results in format "
+                f"{document.get('format')!r}, this version reads format {FORMAT}. "
+                f"Choose another --out, or delete {self.directory}, and run it again."
             )
         return document
 
@@ -147,7 +151,7 @@ class Results:
     def read(self, study: Study) -> polars.DataFrame:
         """Returns every finished trial of a study in one frame.
 
-        Two columns lead: `condition` and `seed`.
+        The first columns are `condition` and `seed`, then the condition's factors.
 
         Raises:
             ExperimentError: If a trial is missing or damaged.
@@ -164,6 +168,10 @@ class Results:
             _read_trial(self.file(trial)).select(
                 pl.lit(trial.condition.name).alias("condition"),
                 pl.lit(trial.seed).alias("seed"),
+                *(
+                    pl.lit(level).alias(factor)
+                    for factor, level in trial.condition.factors.items()
+                ),
                 pl.all(),
             )
             for trial in study.trials()

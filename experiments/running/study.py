@@ -30,14 +30,18 @@ class Condition:
     """A built-in scenario's name or a path to a TOML file."""
 
     learner: str
-    """A name from the learners' catalogue."""
+    """A name from the learners' catalog."""
 
     scenario_overrides: Mapping[str, Any] = field(default_factory=dict)
     """Top-level scenario fields that differ from the scenario's own."""
 
     learner_overrides: Mapping[str, Any] = field(default_factory=dict)
-    """Settings of the learner that differ from the catalogue's; parts by name, as in
+    """Settings of the learner that differ from the catalog's; parts by name, as in
     `learners.components`."""
+
+    factors: Mapping[str, str] = field(default_factory=dict)
+    """Factor -> level, in a study that combines the levels of several factors; each
+    factor is a column of the study's table."""
 
     def __post_init__(self) -> None:
         """Checks that the name can be a folder on every system."""

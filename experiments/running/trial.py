@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
+from functools import partial
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,27 +15,30 @@ from experiments.running.study import Condition, Study, Trial
 if TYPE_CHECKING:
     import polars
 
+    from experiments.running.value_log import Predicate
     from household.environment import Household
     from learners.learner import Learner
     from policies.learning import LearningRobot, Observer
     from policies.oracle import Truth
 
 
-def run_trial(trial: Trial) -> polars.DataFrame:
+def run_trial(trial: Trial, followed: Sequence[Predicate] = ()) -> polars.DataFrame:
     """Runs a trial to its end and returns its table.
 
     Args:
         trial: What to run. Trials with the same seed share their random streams
             whatever their condition, so conditions are paired by seed.
+        followed: Situations whose Q-values are looked at after every entry, for curves
+            of them over time.
 
     Returns:
-        One row per history entry; columns as in `experiments.running.trial_table`.
+        One row per history entry; columns as in `experiments.running.trial_columns`.
     """
-    from experiments.running.trial_table import Rows
+    from experiments.running.trial_table import TrialTable
 
-    rows = Rows()
-    play(trial, [rows])
-    return rows.frame()
+    table = TrialTable(followed)
+    play(trial, [table])
+    return table.frame()
 
 
 def play(trial: Trial, observers: Sequence[Observer] = ()) -> dict[str, LearningRobot]:
@@ -127,6 +132,7 @@ def configuration(study: Study) -> dict[str, Any]:
     so that a changed constant is a changed configuration.
     """
     return {
+        "run": describe(study.run),
         "conditions": {c.name: describe_condition(c) for c in study.conditions},
     }
 
@@ -146,6 +152,7 @@ def describe_condition(condition: Condition) -> dict[str, Any]:
         "norms": scenario.household_norms,
     }
     return {
+        "factors": dict(condition.factors),
         "learner": condition.learner,
         "settings": describe(next(iter(robots.values())).learner),
         **{name: msgspec.to_builtins(part) for name, part in parts.items()},
@@ -153,7 +160,12 @@ def describe_condition(condition: Condition) -> dict[str, Any]:
 
 
 def describe(record: object) -> object:
-    """Returns a settings record as plain data: its type and what it was made with."""
+    """Returns a settings record as plain data: its type and what it was made with.
+
+    A function is described by its name, and by the arguments that it is bound to.
+    """
+    if isinstance(record, (partial, FunctionType)):
+        return _describe_function(record)
     if dataclasses.is_dataclass(record) and not isinstance(record, type):
         settings = {
             field.name: describe(getattr(record, field.name))
@@ -168,3 +180,10 @@ def describe(record: object) -> object:
     if record is None or isinstance(record, (bool, int, float, str)):
         return record
     return repr(record)
+
+
+def _describe_function(function: partial[Any] | FunctionType) -> dict[str, object]:
+    if isinstance(function, FunctionType):
+        return {"function": function.__name__}
+    bound = {name: describe(value) for name, value in function.keywords.items()}
+    return {"function": function.func.__name__} | bound

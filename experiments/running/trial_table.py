@@ -1,90 +1,32 @@
-"""The table of a trial: one row per history entry, touches and Q-values nested in it.
-
-| column | unit or range | meaning |
-| --- | --- | --- |
-| robot | | agent name |
-| time, next_time | s | when the entry began and ended |
-| decision | | environment step at which it began |
-| bout | | environment step at which its behavior was chosen |
-| situation | | the situation, as text |
-| behavior | | name of the behavior |
-| chosen | | false if the behavior went on while the situation changed |
-| attended | | somebody attended to the robot during the entry |
-| reward | | sum of the touches felt in the entry |
-| cumulative | | sum of all touches up to the end of the entry |
-| opinion | 1 .. 10 | mean answer of the people at the end of the entry |
-| q | per behavior | Q-values of the situation when the entry began |
-| appropriateness | per behavior, -1 .. 1 | what the people want; evaluation only |
-| touches | list | who, when, what for in truth, what for in the learner's belief |
-| updates | list | (situation, behavior, value): Q-values that the entry's end changed |
-"""
+"""Watches a trial and keeps its table; the columns are in `trial_columns`."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
+from statistics import fmean
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 import polars as pl
 
+from experiments.running.trial_columns import (
+    SITUATION,
+    key_of,
+    rows_schema,
+    schema,
+    situation_columns,
+)
+from experiments.running.value_log import Predicate, ValueLog
+from household.perception.situation import Situation
 from learners.learner import Credit, Learner
 from policies.learning import Entry, Home, LearningRobot, Lesson, Observer
 
 if TYPE_CHECKING:
-    from household.feedback import Cause
-    from household.feedback import Feedback as Touch
+    from household.feedback import Cause, Feedback
     from household.scenario.scenario import Scenario
-
-TOUCH = pl.Struct(
-    {
-        "time": pl.Float64,
-        "giver": pl.String,
-        "value": pl.Float64,
-        "attending": pl.Boolean,
-        "cause_robot": pl.String,
-        "cause_bout": pl.Int64,
-        "cause_situation": pl.String,
-        "cause_behavior": pl.String,
-        "credited_bout": pl.Int64,
-        "credited_situation": pl.String,
-        "credited_behavior": pl.String,
-    }
-)
-"""One touch: the pair that it is truly about and the pair the learner gave it to.
-
-A bout is named by the environment step at which it was chosen. The credited pair is
-the designated one, or the one with the largest share where none was designated.
-"""
-
-UPDATE = pl.Struct({"situation": pl.String, "behavior": pl.String, "value": pl.Float64})
-
-
-def schema(behaviors: Sequence[str]) -> pl.Schema:
-    """Returns names and types of the columns for a catalogue of behaviors."""
-    per_behavior = pl.Struct(dict.fromkeys(behaviors, pl.Float64))
-    columns: dict[str, pl.DataType | type[pl.DataType]] = {
-        "robot": pl.String,
-        "time": pl.Float64,
-        "next_time": pl.Float64,
-        "decision": pl.Int64,
-        "bout": pl.Int64,
-        "situation": pl.String,
-        "behavior": pl.String,
-        "chosen": pl.Boolean,
-        "attended": pl.Boolean,
-        "reward": pl.Float64,
-        "cumulative": pl.Float64,
-        "opinion": pl.Float64,
-        "q": per_behavior,
-        "appropriateness": per_behavior,
-        "touches": pl.List(TOUCH),
-        "updates": pl.List(UPDATE),
-    }
-    return pl.Schema(columns)
-
 
 _PAIR = ("bout", "situation", "behavior")
 
@@ -114,14 +56,13 @@ class Evaluated(Home, Protocol):
 
 @dataclass
 class _Diary:
-    """What one robot lived through so far."""
+    """What one robot has lived through so far."""
 
+    log: ValueLog
     rows: list[dict[str, Any]] = field(default_factory=list)
     opened: Entry | None = None
     opening: dict[str, Any] = field(default_factory=dict)
-    touches: list[tuple[Touch, Cause]] = field(default_factory=list)
-    states: dict[str, Hashable] = field(default_factory=dict)
-    values: dict[str, list[float]] = field(default_factory=dict)
+    touches: list[tuple[Feedback, Cause]] = field(default_factory=list)
     begun: list[float] = field(default_factory=list)
     """Times of `rows` and of the opened entry, for looking up a time."""
 
@@ -129,22 +70,33 @@ class _Diary:
     """(bout, situation, behavior) of each entry in `begun`."""
 
 
-class Rows(Observer):
-    """Watches an episode and keeps its table."""
+class TrialTable(Observer):
+    """Watches an episode and keeps its table.
 
-    def __init__(self) -> None:
+    Args:
+        followed: Situations whose Q-values are looked at after every entry.
+    """
+
+    def __init__(self, followed: Sequence[Predicate] = ()) -> None:
+        self._followed = followed
         self._behaviors: tuple[str, ...] = ()
         self._diaries: dict[str, _Diary] = {}
+        self._keys: dict[Situation, str] = {}
 
     def frame(self) -> pl.DataFrame:
         """Returns the table so far, robot by robot, in the order of time."""
         rows = [row for diary in self._diaries.values() for row in diary.rows]
-        return pl.DataFrame(rows, schema=schema(self._behaviors), orient="row")
+        table = pl.DataFrame(rows, rows_schema(self._behaviors), orient="row")
+        situations = pl.DataFrame(
+            map(situation_columns, self._keys), SITUATION, orient="row"
+        )
+        whole = table.join(situations, "situation", "left", maintain_order="left")
+        return whole.select(schema(self._behaviors).names())
 
     def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Begins a new table."""
         self._behaviors = _evaluated(env).behaviors
-        self._diaries = {agent: _Diary() for agent in robots}
+        self._diaries = {agent: _Diary(ValueLog(self._followed)) for agent in robots}
 
     def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Notes the entries that are over and those that began."""
@@ -160,34 +112,37 @@ class Rows(Observer):
         """Notes the touches of the step with their true causes."""
         for agent, diary in self._diaries.items():
             felt = env.feedback(agent)
-            causes = _evaluated(env).causes(agent)
-            diary.touches += zip(felt, causes, strict=True)
+            if felt:
+                diary.touches += zip(felt, _evaluated(env).causes(agent), strict=True)
 
     def finished(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
-        """Notes the last entries."""
+        """Notes the last entries, and the Q-values that were learned."""
         for agent, robot in robots.items():
             self._close(_evaluated(env), agent, robot)
+            diary = self._diaries[agent]
+            if diary.rows:
+                learned = diary.log.all_changes(robot.learner)
+                diary.rows[-1]["updates"] += self._updates(learned)
 
     def _open(self, env: Evaluated, agent: str, learner: Learner, entry: Entry) -> None:
-        diary = self._diaries[agent]
-        text, behavior = str(entry.state), self._behaviors[entry.action]
+        diary, situation = self._diaries[agent], cast(Situation, entry.state)
+        key, behavior = self._key(situation), self._behaviors[entry.action]
         bout = entry.decision if entry.chosen else diary.bouts[-1][0]
-        q = learner.q_values(entry.state)
         diary.opened = entry
-        diary.states[text] = entry.state
-        diary.values.setdefault(text, q.tolist())
         diary.begun.append(entry.time)
-        diary.bouts.append((bout, text, behavior))
+        diary.bouts.append((bout, key, behavior))
         diary.opening = {
             "robot": agent,
             "time": entry.time,
             "decision": entry.decision,
             "bout": bout,
-            "situation": text,
+            "situation": key,
             "behavior": behavior,
             "chosen": entry.chosen,
-            "q": self._named(q),
-            "appropriateness": self._named(env.appropriateness(agent)),
+            "q": self._named(diary.log.values(learner, situation)),
+            "appropriateness": self._named(env.appropriateness(agent).tolist())
+            if entry.chosen
+            else None,
         }
 
     def _close(self, env: Evaluated, agent: str, robot: LearningRobot) -> None:
@@ -197,6 +152,8 @@ class Rows(Observer):
         reward = sum(touch.value for touch, _ in diary.touches)
         before = diary.rows[-1]["cumulative"] if diary.rows else 0.0
         opinions = list(env.opinion(agent).values())
+        seen = (lesson.experience.state, lesson.experience.next_state)
+        changes = diary.log.changes(robot.learner, cast(Sequence[Situation], seen))
         diary.rows.append(
             diary.opening
             | {
@@ -204,9 +161,9 @@ class Rows(Observer):
                 "attended": lesson.experience.attended,
                 "reward": reward,
                 "cumulative": before + reward,
-                "opinion": float(np.mean(opinions)) if opinions else None,
+                "opinion": fmean(opinions) if opinions else None,
                 "touches": self._touches(diary, lesson),
-                "updates": self._updates(diary, robot.learner),
+                "updates": self._updates(changes),
             }
         )
         diary.touches = []
@@ -247,25 +204,30 @@ class Rows(Observer):
             return dict.fromkeys(_PAIR)
         return {
             "bout": _at(diary, share.time)["bout"],
-            "situation": str(share.state),
+            "situation": self._key(cast(Situation, share.state)),
             "behavior": self._behaviors[share.action],
         }
 
-    def _updates(self, diary: _Diary, learner: Learner) -> list[dict[str, Any]]:
-        """The Q-values of the situations met so far that are not what they were."""
-        found = []
-        for text, state in diary.states.items():
-            values, before = learner.q_values(state).tolist(), diary.values[text]
-            if values == before:
-                continue
-            diary.values[text] = values
-            for name, value, old in zip(self._behaviors, values, before, strict=True):
-                if value != old:
-                    found.append({"situation": text, "behavior": name, "value": value})
-        return found
+    def _updates(
+        self, changes: Iterable[tuple[Situation, int, float]]
+    ) -> list[dict[str, Any]]:
+        return [
+            {
+                "situation": self._key(situation),
+                "behavior": self._behaviors[behavior],
+                "value": value,
+            }
+            for situation, behavior, value in changes
+        ]
 
-    def _named(self, values: np.ndarray) -> dict[str, float]:
-        return dict(zip(self._behaviors, map(float, values), strict=True))
+    def _key(self, situation: Situation) -> str:
+        key = self._keys.get(situation)
+        if key is None:
+            key = self._keys[situation] = key_of(situation)
+        return key
+
+    def _named(self, values: Iterable[float]) -> dict[str, float]:
+        return dict(zip(self._behaviors, values, strict=True))
 
 
 def _at(diary: _Diary | None, time: float, latest_bout: float = inf) -> dict[str, Any]:

@@ -10,12 +10,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 import polars as pl
 
 from experiments.analysis import measures, social
 from experiments.analysis.claims import Claim
+from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import Estimate, FloatArray, mean
 from experiments.paper import EXPERIMENTS, e5
 from experiments.running.study import Condition, Study, Trial
@@ -36,19 +38,38 @@ FACTORS: Mapping[str, tuple[str, ...]] = {
 }
 """Factor -> levels."""
 
-PAPER: Mapping[int, frozenset[str]] = {
-    1: frozenset({"asynchronous+immediate+none"}),
-    2: frozenset({"social+immediate+none"}),
-    3: frozenset({"social+immediate+none", "social+trace+none"}),
-    4: frozenset({"social+designated+none"}),
-    5: frozenset({"social+designated+swap", "social+designated+none"}),
+
+class Combination(NamedTuple):
+    """A level of each factor, in the order of `FACTORS`."""
+
+    rate: str
+    credit: str
+    analogy: str
+
+
+PAPER: Mapping[int, frozenset[Combination]] = {
+    1: frozenset({Combination("asynchronous", "immediate", "none")}),
+    2: frozenset({Combination("social", "immediate", "none")}),
+    3: frozenset(
+        {
+            Combination("social", "immediate", "none"),
+            Combination("social", "trace", "none"),
+        }
+    ),
+    4: frozenset({Combination("social", "designated", "none")}),
+    5: frozenset(
+        {
+            Combination("social", "designated", "swap"),
+            Combination("social", "designated", "none"),
+        }
+    ),
 }
-"""The cells that the paper ran, or ours for its experiment, by experiment."""
+"""The combinations that the paper ran, or ours for its experiment, by experiment."""
 
 OUTCOMES: Mapping[str, str] = {
     "right": "appropriate choices",
     "reward": "cumulative reward",
-    "credit": "touches credited to the pair that they are about",
+    "credited": "touches credited to the pair that they are about",
 }
 """What is kept of each trial. `right` is the share of appropriate choices: in
 experiments 1 to 4 in the last quarter of the decisions, mean of the situations that the
@@ -62,24 +83,33 @@ def study(number: int, seeds: tuple[int, ...]) -> Study:
         number: Of the experiment.
         seeds: The same as of the plain run, so that all are paired.
     """
-    conditions = tuple(
-        Condition(
-            name=f"{rate}+{credit}+{analogy}",
-            scenario=f"experiment_{number}",
-            learner=LEARNERS[rate],
-            learner_overrides={"credit": credit, "analogy": analogy},
-        )
-        for rate, credit, analogy in product(*FACTORS.values())
-    )
     return Study(
         name=f"factorial/experiment_{number}",
-        conditions=conditions,
+        conditions=conditions(number),
         seeds=seeds,
-        run=partial(run_cell, number=number),
+        run=partial(run_combination, number=number),
     )
 
 
-def run_cell(trial: Trial, number: int) -> pl.DataFrame:
+def conditions(number: int) -> tuple[Condition, ...]:
+    """Returns a condition for each combination of levels, on one scenario.
+
+    Args:
+        number: Of the experiment whose scenario it is.
+    """
+    return tuple(
+        Condition(
+            name="+".join(levels),
+            scenario=f"experiment_{number}",
+            learner=LEARNERS[levels.rate],
+            learner_overrides={"credit": levels.credit, "analogy": levels.analogy},
+            factors=levels._asdict(),
+        )
+        for levels in map(Combination._make, product(*FACTORS.values()))
+    )
+
+
+def run_combination(trial: Trial, number: int) -> pl.DataFrame:
     """Runs a trial and keeps its outcomes alone.
 
     Args:
@@ -93,16 +123,16 @@ def run_cell(trial: Trial, number: int) -> pl.DataFrame:
     found = {
         "right": _right(frame, number),
         "reward": measures.final_reward(frame),
-        "credit": social.credit_accuracy(frame),
+        "credited": social.credit_accuracy(frame),
     }
     schema = dict.fromkeys(OUTCOMES, pl.Float64)
     return pl.DataFrame([found], schema=schema).fill_nan(None)
 
 
 def _right(frame: pl.DataFrame, number: int) -> float:
-    scenes = EXPERIMENTS[number].scenes
-    if scenes:
-        shares = [social.right_share(frame, scene.find(frame)) for scene in scenes]
+    situations = EXPERIMENTS[number].target_situations
+    if situations:
+        shares = [social.right_share(frame, one.find(frame)) for one in situations]
         return float(np.mean(shares))
     late = frame.filter(pl.col("chosen") & (pl.col("time") >= e5.PHASE))
     return float(measures.appropriate(late).mean())
@@ -111,7 +141,7 @@ def _right(frame: pl.DataFrame, number: int) -> float:
 def level_means(
     frame: pl.DataFrame, outcome: str, levels: Mapping[str, str]
 ) -> FloatArray:
-    """Returns an outcome per seed, averaged over all cells with some levels.
+    """Returns an outcome per seed, averaged over all combinations with some levels.
 
     Args:
         frame: The table of one of the studies.
@@ -121,12 +151,9 @@ def level_means(
     Returns:
         Shape (n_seeds,), in the order of the seeds; NaN where all is null.
     """
-    parts = pl.col("condition").str.split("+")
-    chosen = frame
-    for index, factor in enumerate(FACTORS):
-        if factor in levels:
-            chosen = chosen.filter(parts.list.get(index) == levels[factor])
-    means = chosen.group_by("seed").agg(pl.col(outcome).mean()).sort("seed")
+    means = (
+        frame.filter(**levels).group_by("seed").agg(pl.col(outcome).mean()).sort("seed")
+    )
     values: FloatArray = means[outcome].cast(pl.Float64).fill_null(np.nan).to_numpy()
     return values
 
@@ -168,12 +195,24 @@ class Contrast:
             id=f"F{self.number}",
             text=self.text,
             reading="Appropriate choices, paired by seed.",
-            condition=f"{self.more} - {self.less}, {where}",
-            measure=partial(self._difference, fixed=fixed),
+            measure=StudyMeasure(
+                label=f"{self.more} - {self.less}, {where}",
+                conditions=self._compared(fixed),
+                values=partial(self._difference, fixed=fixed),
+            ),
             rule=self.rule,
             threshold=self.threshold,
             estimate=mean,
             unit="share of choices",
+        )
+
+    def _compared(self, fixed: Mapping[str, str]) -> tuple[str, ...]:
+        """Names of the conditions at the fixed levels and at one of the two."""
+        return tuple(
+            condition.name
+            for condition in conditions(self.number)
+            if fixed.items() <= condition.factors.items()
+            and condition.factors[self.factor] in (self.more, self.less)
         )
 
     def _difference(self, frame: pl.DataFrame, fixed: Mapping[str, str]) -> FloatArray:
@@ -251,11 +290,11 @@ def against_silence(number: int) -> Contrast:
     )
 
 
-def cells(frame: pl.DataFrame, outcome: str) -> Mapping[str, Estimate]:
-    """Returns an outcome of every cell, by the condition's name."""
+def estimates(frame: pl.DataFrame, outcome: str) -> Mapping[Combination, Estimate]:
+    """Returns an outcome of every combination that was run."""
     found = {}
-    for name in frame["condition"].unique(maintain_order=True):
-        levels = dict(zip(FACTORS, name.split("+"), strict=True))
-        values = level_means(frame, outcome, levels)
-        found[name] = mean(values[~np.isnan(values)])
+    ran = frame.select(Combination._fields).unique(maintain_order=True)
+    for levels in map(Combination._make, ran.iter_rows()):
+        values = level_means(frame, outcome, levels._asdict())
+        found[levels] = mean(values[~np.isnan(values)])
     return found

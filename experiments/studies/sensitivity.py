@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +16,7 @@ from experiments.analysis.claims import Claim, verdicts
 from experiments.paper.experiment import Experiment
 from experiments.running.store import Results, to_json, write_text
 from experiments.running.study import Condition, Study
-from experiments.running.trial import describe_condition, run_trial
+from experiments.running.trial import describe_condition
 from experiments.studies.constants import Constant, constants
 
 FACTORS: Mapping[str, float] = {"down": 0.75, "up": 1.25}
@@ -52,7 +51,10 @@ class Variant:
     def study(self, seeds: tuple[int, ...]) -> Study:
         """Returns the trials to run; only for a variant that has conditions."""
         return Study(
-            name=self.name, conditions=self.conditions, seeds=seeds, run=run_trial
+            name=self.name,
+            conditions=self.conditions,
+            seeds=seeds,
+            run=self.experiment.run,
         )
 
 
@@ -74,11 +76,7 @@ def variants(experiments: Iterable[Experiment]) -> tuple[Variant, ...]:
 
 def claimed(experiment: Experiment) -> tuple[Condition, ...]:
     """Returns the conditions that a claim is about, without mere controls."""
-    named = {
-        word
-        for claim in experiment.claims
-        for word in re.split(r"[^\w]+", claim.condition)
-    }
+    named = {name for claim in experiment.claims for name in claim.measure.conditions}
     return tuple(c for c in experiment.conditions if c.name in named)
 
 
@@ -147,7 +145,7 @@ def holds(experiment: Experiment, frame: pl.DataFrame) -> dict[str, bool]:
 
 
 def _alone(claim: Claim) -> Claim:
-    return dataclasses.replace(claim, compared={})
+    return dataclasses.replace(claim, compared=())
 
 
 def _fingerprint(experiment: Experiment, seeds: tuple[int, ...]) -> str:

@@ -14,7 +14,9 @@ import numpy as np
 import polars as pl
 import pytest
 
-from experiments.running.trial_table import Rows, schema
+from experiments.running.trial_columns import schema, situation_columns
+from experiments.running.trial_table import TrialTable
+from household.perception.situation import Situation
 from learners.catalog import make_learner
 from policies.learning import LearningRobot, run_episode
 
@@ -123,7 +125,7 @@ class PlayHome:
         return float(self.decision)
 
     def situation(self, agent):
-        return "ann playing"
+        return Situation.of({"ann": "playing"})
 
     def behavior_over(self, agent):
         return self.doing is None or self.decision - self.begun >= 2
@@ -158,10 +160,10 @@ def play_trial():
         learner = make_learner(
             trial.condition.learner, 2, np.random.default_rng(trial.seed)
         )
-        rows = Rows()
+        table = TrialTable()
         robots = {"robot_0": LearningRobot(learner)}
-        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[rows])
-        return rows.frame()
+        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[table])
+        return table.frame()
 
     return run
 
@@ -179,7 +181,7 @@ def table():
                 "next_time": 2.0 * index + 2.0,
                 "decision": 2 * index,
                 "bout": 2 * index,
-                "situation": situation,
+                **situation_columns(situation),
                 "behavior": behavior,
                 "chosen": True,
                 "attended": False,

@@ -3,8 +3,17 @@ import polars as pl
 import pytest
 
 from experiments.analysis.claims import Claim, verdicts
+from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import mean
 from experiments.running.store import to_json
+
+
+def given(values, label):
+    return StudyMeasure(
+        label=label,
+        conditions=(label,),
+        values=lambda frame: np.asarray(values, dtype=float),
+    )
 
 
 def claim(values, rule="at least", threshold=0.5, **others):
@@ -12,8 +21,7 @@ def claim(values, rule="at least", threshold=0.5, **others):
         id="9z",
         text="It works.",
         reading="share of the seeds in which it works",
-        condition="a",
-        measure=lambda frame: np.asarray(values, dtype=float),
+        measure=given(values, "a"),
         rule=rule,
         threshold=threshold,
         **others,

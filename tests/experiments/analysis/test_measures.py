@@ -3,13 +3,17 @@ import polars as pl
 import pytest
 
 from experiments.analysis import measures
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
+from experiments.running.trial_columns import key_of
+from household.perception.situation import Situation
 
-PLAY = "ann playing"
+PLAYING = Situation.of({"ann": "playing"})
+CALLING = Situation.of({"ann": "calling"})
+PLAY, CALL = key_of(PLAYING), key_of(CALLING)
 
 
 def entries(*behaviors, wanted=1.0):
-    return [(PLAY, behavior, wanted) for behavior in behaviors]
+    return [(PLAYING, behavior, wanted) for behavior in behaviors]
 
 
 def learned(play, bark, n):
@@ -26,7 +30,9 @@ def test_the_last_quarter_is_rounded_up(table):
 
 
 def test_appropriate_is_what_is_wanted_most_at_that_time(table):
-    frame = table([(PLAY, "play", 1.0), (PLAY, "bark", 1.0), (PLAY, "bark", -0.5)])
+    frame = table(
+        [(PLAYING, "play", 1.0), (PLAYING, "bark", 1.0), (PLAYING, "bark", -0.5)]
+    )
     assert measures.appropriate(frame).tolist() == [True, False, True]
 
 
@@ -53,7 +59,7 @@ def test_right_choices_without_the_highest_value_are_not_enough(table, bark):
 
 
 def test_a_situation_that_never_was_is_not_converged(table):
-    assert not measures.converged(table(entries("play")), "ann calling")
+    assert not measures.converged(table(entries("play")), CALL)
     assert not measures.converged(table(entries("play")), None)
 
 
@@ -64,7 +70,7 @@ def test_only_choices_count_not_behaviors_that_went_on(table):
 
 def test_a_q_curve_begins_where_its_situation_was_first_met(table):
     frame = table(
-        [("ann calling", "play", 1.0), (PLAY, "play", 1.0), (PLAY, "bark", 1.0)],
+        [(CALLING, "play", 1.0), (PLAYING, "play", 1.0), (PLAYING, "bark", 1.0)],
         q=[
             {"bark": 0.0, "play": 0.0},
             {"bark": 0.0, "play": 0.25},
@@ -73,7 +79,7 @@ def test_a_q_curve_begins_where_its_situation_was_first_met(table):
         updates=[
             [],
             [{"situation": PLAY, "behavior": "play", "value": 0.5}],
-            [{"situation": "ann calling", "behavior": "play", "value": 9.0}],
+            [{"situation": CALL, "behavior": "play", "value": 9.0}],
         ],
     )
     times, values = measures.q_curve(frame, PLAY, "play")
@@ -104,18 +110,36 @@ def test_alternating_needs_each_behavior_in_a_tenth_of_the_last_choices(table):
     assert not measures.keeps_alternating(nine_to_one, None)
 
 
-def test_a_scene_is_the_most_frequent_situation_that_fits(table):
+def test_a_target_situation_is_the_most_frequent_one_that_fits(table):
+    alone = Situation.of({"bob": "playing"})
+    seen = Situation.of({"bob": "playing"}, [("bob", "robot_0")])
     frame = table(
-        [("bob unknown", "play", 1.0)] * 5
-        + [("bob playing", "play", 1.0)] * 3
-        + [("bob playing, bob > robot_0", "play", 1.0)] * 2
+        [(Situation.of({"bob": "unknown"}), "play", 1.0)] * 5
+        + [(alone, "play", 1.0)] * 3
+        + [(seen, "play", 1.0)] * 2
     )
-    assert Scene(name="PLAY", role="playing").find(frame) == "bob playing"
-    assert Scene(name="PLAY", role="play").find(frame) is None
-    watched = Scene(name="S11", role="playing", attended=True)
-    assert watched.find(frame) == "bob playing, bob > robot_0"
-    ignored = Scene(name="S51", role="playing", attended=False)
-    assert ignored.find(frame) == "bob playing"
+    play = TargetSituation(name="PLAY", role="playing")
+    assert play.find(frame) == key_of(alone)
+    assert TargetSituation(name="PLAY", role="play").find(frame) is None
+    watched = TargetSituation(name="S11", role="playing", attended=True)
+    assert watched.find(frame) == key_of(seen)
+    ignored = TargetSituation(name="S51", role="playing", attended=False)
+    assert ignored.find(frame) == key_of(alone)
+
+
+def test_a_person_who_is_called_like_a_role_does_not_play_it(table):
+    frame = table([(Situation.of({"playing": "calling"}), "play", 1.0)])
+    assert TargetSituation(name="PLAY", role="playing").find(frame) is None
+
+
+@pytest.mark.parametrize("attended", [None, True, False])
+def test_a_target_situation_fits_what_it_finds_and_nothing_else(table, attended):
+    target = TargetSituation(name="PLAY", role="playing", attended=attended)
+    for attends in ([], [("bob", "robot_0")]):
+        for role in ("playing", "calling"):
+            one = Situation.of({"bob": role}, attends)
+            found = target.find(table([(one, "play", 1.0)]))
+            assert found == (key_of(one) if target(one) else None)
 
 
 def study(table, rewards):

@@ -3,12 +3,17 @@ import math
 import pytest
 
 from experiments.analysis import social
+from experiments.running.trial_columns import key_of
+from household.perception.situation import Situation
 
-PLAY, CALL = "ann playing", "ann calling"
+PLAYING, CALLING, WORKING = (
+    Situation.of({"ann": role}) for role in ("playing", "calling", "working")
+)
+PLAY, CALL = key_of(PLAYING), key_of(CALLING)
 
 
 def entries(*behaviors):
-    return [(PLAY, behavior, 1.0) for behavior in behaviors]
+    return [(PLAYING, behavior, 1.0) for behavior in behaviors]
 
 
 def update(value, behavior="play", situation=PLAY):
@@ -113,7 +118,7 @@ def test_credit_is_right_if_situation_and_behavior_are_the_true_ones(table):
     frame = table(entries("play"), touches=[felt])
     assert social.credit_accuracy(frame) == pytest.approx(2 / 5)
     assert social.credit_accuracy(frame, CALL) == pytest.approx(1 / 4)
-    assert math.isnan(social.credit_accuracy(frame, "ann working"))
+    assert math.isnan(social.credit_accuracy(frame, key_of(WORKING)))
 
 
 def test_the_positive_share_is_that_of_the_touches_within_the_times(table):
@@ -125,9 +130,9 @@ def test_the_positive_share_is_that_of_the_touches_within_the_times(table):
 
 
 def test_only_situations_with_enough_decisions_count_as_learned_or_not(table):
-    learned = [(CALL, "play", 1.0)] * 8
+    learned = [(CALLING, "play", 1.0)] * 8
     frame = table(
-        learned + entries(*["bark"] * 8) + [("ann working", "play", 1.0)] * 7,
+        learned + entries(*["bark"] * 8) + [(WORKING, "play", 1.0)] * 7,
         updates=[update(0.5, situation=CALL)] + [[]] * 22,
     )
     assert social.learned_share(frame) == 0.5

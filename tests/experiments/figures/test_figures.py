@@ -6,9 +6,11 @@ import polars as pl
 import pytest
 
 from experiments import figures
-from experiments.figures.rows import _sampled, time_share
+from experiments.figures.plots import _sampled, time_share
 from experiments.paper import EXPERIMENTS, comparison
 from experiments.running.study import Trial
+from experiments.running.trial_columns import key_of
+from household.perception.situation import Situation
 
 
 @pytest.fixture
@@ -25,7 +27,7 @@ def study(play_trial):
 
 def test_figure_3_has_the_papers_rows_for_one_seed_and_for_all(study):
     columns = EXPERIMENTS[1].figures[0].columns(study)
-    assert [cell.label for cell in columns[0].cells] == [
+    assert [panel.label for panel in columns[0].panels] == [
         "behavior",
         "Q in PLAY",
         "cumulative\nreward",
@@ -66,7 +68,7 @@ def test_ids_of_figures_in_one_page_do_not_clash(study):
 
 def test_conditions_are_compared_in_one_figure(study, tmp_path):
     columns = comparison(EXPERIMENTS[1], study)
-    assert [cell.label for cell in columns[0].cells] == [
+    assert [panel.label for panel in columns[0].panels] == [
         "cumulative\nreward",
         "caresses\nper minute",
         "taps\nper minute",
@@ -85,13 +87,14 @@ def test_a_stepwise_curve_holds_its_value_until_the_next_change():
 
 def test_the_share_of_time_is_counted_within_each_bin(table):
     # play from 0 to 2 s, bark from 2 to 4 s, play from 4 to 6 s; 20 bins to 40 s
-    play = ("ann playing", "play", 1.0)
-    frame = table([play, ("ann playing", "bark", 1.0), play])
+    playing = Situation.of({"ann": "playing"})
+    play = (playing, "play", 1.0)
+    frame = table([play, (playing, "bark", 1.0), play])
     assert time_share(frame, "behavior", "play", 40.0).tolist() == [
         *(1.0, 0.0, 1.0),
         *[0.0] * 17,
     ]
     assert time_share(frame, "behavior", "play", 80.0)[:2].tolist() == [0.5, 0.5]
-    assert time_share(frame, "situation", "ann playing", 40.0)[:4].tolist() == [
+    assert time_share(frame, "situation", key_of(playing), 40.0)[:4].tolist() == [
         *(1.0, 1.0, 1.0, 0.0)
     ]

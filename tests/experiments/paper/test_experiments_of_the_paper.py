@@ -4,10 +4,11 @@ import numpy as np
 import polars as pl
 import pytest
 
-from experiments.paper import EXPERIMENTS, cells, table_1
+from experiments.paper import EXPERIMENTS, reading_situations, table_1
 from experiments.paper.e2 import lowest_mean
 from experiments.running.trial import describe_condition
-from experiments.running.trial_table import TOUCH
+from experiments.running.trial_columns import SITUATION, TOUCH, situation_columns
+from household.perception.situation import Situation
 
 CLAIMED = {1: "abc", 2: "abcde", 3: "ab", 4: "abc", 5: "abcd"}
 
@@ -43,8 +44,15 @@ def test_figures_and_claims_name_conditions_that_are_run(number):
     names = {condition.name for condition in experiment.conditions}
     assert {figure.condition for figure in experiment.figures} <= names
     for claim in experiment.claims:
-        words = claim.condition.replace(",", "").split()
-        assert words[0] in names or claim.condition == "no trials"
+        for measure in (claim.measure, *claim.compared):
+            assert set(measure.conditions) <= names
+            assert measure.conditions or measure.label == "no trials"
+
+
+@pytest.mark.parametrize("number", range(1, 6))
+def test_a_claim_that_is_a_share_says_of_what(number):
+    for claim in EXPERIMENTS[number].claims:
+        assert claim.is_share == claim.unit.startswith("share of ")
 
 
 def test_table_1_comes_out_to_three_decimals():
@@ -65,29 +73,34 @@ def life():
     """Returns a function that makes a table of situations and times, for seeds."""
 
     def make(**seeds):
-        return pl.concat(
-            pl.DataFrame(rows, schema=["time", "situation"], orient="row").select(
-                pl.lit(seed).alias("seed"), pl.col("time").cast(pl.Float64), "situation"
-            )
-            for seed, rows in seeds.items()
-        )
+        rows = [
+            {"seed": seed, "time": time, **situation_columns(situation)}
+            for seed, moments in seeds.items()
+            for time, situation in moments
+        ]
+        schema = {"seed": pl.String, "time": pl.Float64, **SITUATION}
+        return pl.DataFrame(rows, schema=schema, orient="row")
 
     return make
 
 
 def test_the_28_situations_are_counted_by_who_reads(life):
+    def moment(ann, bob, *watching):
+        attends = [(person, "robot_0") for person in watching]
+        return Situation.of({"ann": ann, "bob": bob}, attends)
+
     frame = life(
         a=[
-            (0, "ann reading, bob entering"),
-            (5, "ann reading, bob entering, bob > robot_0"),
-            (9, "ann reading, bob reading, ann > robot_0"),
-            (20, "ann reading, bob reading, ann > robot_0"),
-            (30, "ann unknown, bob working, ann > robot_0"),
-            (40, "ann calling, bob reading, bob > robot_0"),
+            (0, moment("reading", "entering")),
+            (5, moment("reading", "entering", "bob")),
+            (9, moment("reading", "reading", "ann")),
+            (20, moment("reading", "reading", "ann")),
+            (30, moment("unknown", "working", "ann")),
+            (40, moment("calling", "reading", "bob")),
         ],
-        b=[(0, "ann reading, bob entering")],
+        b=[(0, moment("reading", "entering"))],
     )
-    counts = cells.reached(frame, 10.0)
+    counts = reading_situations.reached(frame, 10.0)
     assert dict(counts) == {
         ("ann", "entering", False): 2,
         ("ann", "entering", True): 1,
@@ -95,8 +108,9 @@ def test_the_28_situations_are_counted_by_who_reads(life):
         ("bob", "reading", True): 1,
         ("bob", "calling", False): 1,
     }
-    assert cells.seeds_reaching(frame, 10.0)["ann", "entering", False] == 2
-    assert len(cells.CELLS) == len(set(cells.CELLS)) == 28
+    seeds = reading_situations.seeds_reaching(frame, 10.0)
+    assert seeds["ann", "entering", False] == 2
+    assert len(set(reading_situations.SITUATIONS)) == 28
 
 
 def test_the_lowest_mean_is_found_over_all_seeds_together(table):
@@ -105,7 +119,8 @@ def test_the_lowest_mean_is_found_over_all_seeds_together(table):
             {"time": 2.0 * i + 1.0, "value": value} for i, value in enumerate(values)
         ]
         touches = [[dict.fromkeys(names) | one] for one in felt]
-        frame = table([("ann playing", "play", 1.0)] * len(felt), touches=touches)
+        playing = Situation.of({"ann": "playing"})
+        frame = table([(playing, "play", 1.0)] * len(felt), touches=touches)
         return frame.select(
             pl.lit("a").alias("condition"), pl.lit(seed).alias("seed"), pl.all()
         )

@@ -7,7 +7,7 @@ import polars as pl
 import pytest
 
 from experiments.analysis.claims import verdicts
-from experiments.analysis.evaluation import evaluate
+from experiments.analysis.evaluation import evaluations
 from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS
 from experiments.report import publish as publishing
@@ -169,7 +169,7 @@ def test_the_terminal_shows_the_claims_and_where_everything_lies(published):
 
 def test_evaluations_cover_all_methods_and_conditions(out):
     frame = Results(out / E1.name).read(E1.study((0, 1, 2, 3)))
-    found = evaluate(frame, ("asynchronous", "synchronous"), E1.scenes)
+    found = evaluations(frame, ("asynchronous", "synchronous"), E1.target_situations)
     assert {one.method for one in found} == {
         "Cumulative reward",
         "Frequency of rewards",

@@ -3,10 +3,14 @@ import pytest
 
 from experiments.analysis.measures import touches
 from experiments.running.study import Condition, Trial
-from experiments.running.trial_table import Rows, schema
+from experiments.running.trial_columns import key_of, schema
+from experiments.running.trial_table import TrialTable
+from household.perception.situation import Situation
 from learners.experience import Feedback
 from learners.learner import Credit, Share
 from policies.learning import LearningRobot, run_episode
+
+PLAY = Situation.of({"ann": "playing"})
 
 
 @pytest.fixture
@@ -43,7 +47,7 @@ def test_each_touch_knows_the_bout_that_it_is_truly_about(play_trial, trial):
     assert (felt["cause_bout"] == felt["time"] - 2).all()
     taps = felt.filter(pl.col("value") < 0)
     assert set(taps["cause_behavior"]) == {"bark"}
-    assert set(felt["cause_situation"]) == {"ann playing"}
+    assert set(felt["cause_situation"]) == {key_of(PLAY)}
 
 
 def test_immediate_credit_of_a_prompt_touch_hits_the_true_bout(play_trial, trial):
@@ -87,8 +91,8 @@ class Believer:
         return pl.Series([0.0, 0.0]).to_numpy()
 
     def learn(self, experience):
-        first = Share(state="ann playing", action=1, time=0.0, weight=1.0)
-        other = Share(state="ann playing", action=0, time=4.0, weight=0.2)
+        first = Share(state=PLAY, action=1, time=0.0, weight=1.0)
+        other = Share(state=PLAY, action=0, time=4.0, weight=0.2)
         self.credits = tuple(
             Credit(feedback=touch, shares=(first, other), designated=None)
             for touch in experience.feedback
@@ -97,10 +101,10 @@ class Believer:
 
 
 def test_without_a_designated_pair_the_largest_share_counts(play_home):
-    rows = Rows()
+    table = TrialTable()
     robots = {"robot_0": LearningRobot(Believer())}
-    run_episode(play_home(60), robots, seed=0, observers=[rows])
-    felt = touches(rows.frame())
+    run_episode(play_home(60), robots, seed=0, observers=[table])
+    felt = touches(table.frame())
     assert len(felt) > 3
     assert set(felt["credited_bout"]) == {0}
     assert set(felt["credited_behavior"]) == {"play"}
@@ -112,8 +116,8 @@ class Unbelieving(Believer):
 
 
 def test_a_touch_that_nobody_credited_is_kept_without_a_pair(play_home):
-    rows = Rows()
+    table = TrialTable()
     robots = {"robot_0": LearningRobot(Unbelieving())}
-    run_episode(play_home(60), robots, seed=0, observers=[rows])
-    felt = touches(rows.frame())
+    run_episode(play_home(60), robots, seed=0, observers=[table])
+    felt = touches(table.frame())
     assert felt["credited_behavior"].null_count() == len(felt) > 3

@@ -4,24 +4,25 @@ import pytest
 
 from experiments.commands.reproducing import Reproduce
 from experiments.paper import EXPERIMENTS
-from experiments.report.study_tables import shown_factorial, shown_sensitivity
+from experiments.report.study_tables import summarize_factorial, summarize_sensitivity
 from experiments.running.store import Results
 from experiments.running.study import Condition, Trial
 from experiments.running.trial import describe_condition
 from experiments.studies import factorial, sensitivity
+from experiments.studies.factorial import Combination
 
 
 def grid(values):
-    """A table of one outcome: (condition, seed) -> value."""
+    """A table of one outcome: (levels, seed) -> value."""
     return pl.DataFrame(
         [
-            {"condition": name, "seed": seed, "right": value}
-            for (name, seed), value in values.items()
+            {"seed": seed, "right": value, **Combination(*levels)._asdict()}
+            for (levels, seed), value in values.items()
         ]
     )
 
 
-def test_the_36_cells_combine_every_level_and_can_all_be_made():
+def test_the_36_conditions_combine_every_level_and_can_all_be_made():
     study = factorial.study(5, (0,))
     assert len(study.conditions) == 36
     settings = [describe_condition(c)["settings"] for c in study.conditions]
@@ -29,27 +30,27 @@ def test_the_36_cells_combine_every_level_and_can_all_be_made():
 
 
 @pytest.mark.parametrize("number", EXPERIMENTS)
-def test_the_papers_cells_are_cells(number):
-    names = {condition.name for condition in factorial.study(number, (0,)).conditions}
-    assert factorial.PAPER[number] <= names
+def test_what_the_paper_ran_is_among_the_combinations(number):
+    ran = {Combination(**one.factors) for one in factorial.conditions(number)}
+    assert factorial.PAPER[number] <= ran
 
 
 @pytest.mark.parametrize(
-    ("number", "cell", "condition"),
+    ("number", "levels", "condition"),
     [
-        (1, "asynchronous+immediate+none", "asynchronous"),
-        (2, "social+immediate+none", "social"),
-        (3, "social+trace+none", "trace"),
-        (4, "social+designated+none", "designated"),
-        (5, "social+designated+swap", "swap"),
-        (5, "skip_silence+designated+swap", "skip_silence"),
+        (1, ("asynchronous", "immediate", "none"), "asynchronous"),
+        (2, ("social", "immediate", "none"), "social"),
+        (3, ("social", "trace", "none"), "trace"),
+        (4, ("social", "designated", "none"), "designated"),
+        (5, ("social", "designated", "swap"), "swap"),
+        (5, ("skip_silence", "designated", "swap"), "skip_silence"),
     ],
 )
-def test_a_cell_is_the_learner_of_the_plain_run(number, cell, condition):
-    cells = {c.name: c for c in factorial.study(number, (0,)).conditions}
+def test_a_combination_is_the_learner_of_the_plain_run(number, levels, condition):
+    combinations = {Combination(**c.factors): c for c in factorial.conditions(number)}
     plain = EXPERIMENTS[number].condition(condition)
     assert (
-        describe_condition(cells[cell])["settings"]
+        describe_condition(combinations[levels])["settings"]
         == (describe_condition(plain)["settings"])
     )
 
@@ -57,11 +58,11 @@ def test_a_cell_is_the_learner_of_the_plain_run(number, cell, condition):
 def test_a_level_is_averaged_over_the_other_factors():
     frame = grid(
         {
-            ("social+trace+none", 1): 0.4,
-            ("social+trace+swap", 1): 0.6,
-            ("social+immediate+none", 1): 0.0,
-            ("social+trace+none", 0): 1.0,
-            ("asynchronous+trace+none", 0): 0.0,
+            (("social", "trace", "none"), 1): 0.4,
+            (("social", "trace", "swap"), 1): 0.6,
+            (("social", "immediate", "none"), 1): 0.0,
+            (("social", "trace", "none"), 0): 1.0,
+            (("asynchronous", "trace", "none"), 0): 0.0,
         }
     )
     found = factorial.level_means(frame, "right", {"rate": "social", "credit": "trace"})
@@ -72,10 +73,10 @@ def test_a_contrast_is_paired_by_seed():
     contrast = factorial.FINDINGS[1]
     frame = grid(
         {
-            ("social+immediate+none", 0): 0.9,
-            ("social+immediate+none", 1): 0.8,
-            ("asynchronous+immediate+none", 0): 0.5,
-            ("asynchronous+immediate+none", 1): 0.6,
+            (("social", "immediate", "none"), 0): 0.9,
+            (("social", "immediate", "none"), 1): 0.8,
+            (("asynchronous", "immediate", "none"), 0): 0.5,
+            (("asynchronous", "immediate", "none"), 1): 0.6,
         }
     )
     finding = contrast.claims()[0].check(frame)
@@ -88,11 +89,11 @@ def test_every_finding_contrasts_levels_that_exist():
         assert {contrast.more, contrast.less} <= set(factorial.FACTORS[contrast.factor])
         levels = {**contrast.fixed, contrast.factor: contrast.more}
         assert set(levels) == set(factorial.FACTORS)
-        cell = "+".join(levels[factor] for factor in factorial.FACTORS)
-        assert cell in factorial.PAPER[contrast.number] or contrast.number == 1
+        ran = Combination(**levels) in factorial.PAPER[contrast.number]
+        assert ran or contrast.number == 1
 
 
-def test_a_cell_that_is_run_keeps_its_outcomes_alone():
+def test_a_combination_that_is_run_keeps_its_outcomes_alone():
     condition = factorial.study(3, (0,)).conditions[0]
     short = Condition(
         name="short",
@@ -101,7 +102,7 @@ def test_a_cell_that_is_run_keeps_its_outcomes_alone():
         learner_overrides=condition.learner_overrides,
         scenario_overrides={"max_cycles": 300},
     )
-    frame = factorial.run_cell(Trial(condition=short, seed=0), 3)
+    frame = factorial.run_combination(Trial(condition=short, seed=0), 3)
     assert frame.columns == list(factorial.OUTCOMES)
     assert len(frame) == 1
     assert 0.0 <= frame["right"][0] <= 1.0
@@ -124,14 +125,14 @@ def out(tmp_path, play_trial):
 
 
 def test_what_was_run_of_the_factorial_is_shown(out):
-    (shown,) = shown_factorial(out)
+    (shown,) = summarize_factorial(out)
     assert (shown.number, shown.n_seeds) == (1, 2)
     assert len(shown.table.rows) == 9
     marked = [
-        (heading, entry.text)
-        for heading, entries in shown.table.rows
-        for entry in entries
-        if entry.marked
+        (heading, cell.text)
+        for heading, cells in shown.table.rows
+        for cell in cells
+        if cell.marked
     ]
     assert marked == [("asynchronous, immediate", "52 %")]
     assert len(shown.findings) == len(shown.silence) == 2
@@ -139,7 +140,7 @@ def test_what_was_run_of_the_factorial_is_shown(out):
 
 def test_a_factorial_with_missing_trials_is_not_shown(out):
     next((out / "factorial").rglob("*.parquet")).unlink()
-    assert shown_factorial(out) == ()
+    assert summarize_factorial(out) == ()
 
 
 def variant(name, direction="up"):
@@ -207,26 +208,27 @@ def test_a_variant_that_is_not_finished_has_no_verdicts(out, varied):
 
 def test_the_sensitivity_table_marks_verdicts_that_change(out, varied):
     frame = base(out)
-    assert shown_sensitivity(out, {1: frame}).firm == ("1a", "1b", "1c")
+    assert summarize_sensitivity(out, {1: frame}).firm == ("1a", "1b", "1c")
     kept = out / varied.name / "verdicts.json"
     held = sensitivity.holding(varied, frame, out, (0, 1))
     word = str(held["1a"]).lower(), str(not held["1a"]).lower()
     kept.write_text(kept.read_text().replace(f'"1a": {word[0]}', f'"1a": {word[1]}'))
-    shown = shown_sensitivity(out, {1: frame})
+    shown = summarize_sensitivity(out, {1: frame})
     assert shown.firm == ("1b", "1c")
     row = dict(shown.table.rows)["learner: gamma"]
-    assert [entry.marked for entry in row] == [True, False, False]
+    assert [cell.marked for cell in row] == [True, False, False]
     assert row[0].text == ("?|✗" if held["1a"] else "?|✓")
     assert list(dict(shown.table.rows)) == ["learner: gamma"]
 
 
 def test_without_a_sensitivity_run_there_is_no_table(tmp_path):
-    assert shown_sensitivity(tmp_path, {}) is None
+    assert summarize_sensitivity(tmp_path, {}) is None
 
 
 def test_a_nan_in_a_cell_leaves_its_seed_out():
-    frame = grid({("social+trace+none", 0): None, ("social+trace+none", 1): 0.5})
-    found = factorial.cells(frame, "right")["social+trace+none"]
+    levels = ("social", "trace", "none")
+    frame = grid({(levels, 0): None, (levels, 1): 0.5})
+    found = factorial.estimates(frame, "right")[levels]
     assert (found.n, found.value) == (1, 0.5)
     assert np.isnan(found.low)
 

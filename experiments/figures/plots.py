@@ -1,6 +1,6 @@
 """What the paper's figures show, each for one trial and for all seeds.
 
-A row draws itself twice: for the typical trial, and as mean over all seeds with a
+A plot is drawn twice: for the typical trial, and as mean over all seeds with a
 pointwise 95 % bootstrap band. Times are drawn in minutes.
 """
 
@@ -16,7 +16,7 @@ import polars as pl
 
 from experiments.analysis import measures
 from experiments.analysis.statistics import FloatArray, mean_band
-from experiments.analysis.target_situations import Scene
+from experiments.analysis.target_situations import TargetSituation
 from experiments.figures.canvas import DASHES, INK, PALETTE
 
 if TYPE_CHECKING:
@@ -27,8 +27,8 @@ POINTS = 121
 BINS = 20
 
 
-class Row(Protocol):
-    """One row of a figure."""
+class Plot(Protocol):
+    """What one panel of a figure shows."""
 
     @property
     def label(self) -> str:
@@ -81,20 +81,20 @@ class BehaviorSequence:
 class QValues:
     """The Q-values of a situation."""
 
-    scene: Scene
+    situation: TargetSituation
     height: float = 2.0
 
     @property
     def label(self) -> str:
         """Label of the y axis."""
-        return f"Q in {self.scene.name}"
+        return f"Q in {self.situation.name}"
 
     def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
         """Draws each behavior's value as it changed."""
-        situation = self.scene.find(trial)
+        key = self.situation.find(trial)
         end = end_of(trial)
         for lane, name in enumerate(measures.behaviors(trial)):
-            times, values = measures.q_curve(trial, situation, name)
+            times, values = measures.q_curve(trial, key, name)
             axes.step(
                 np.append(times, end) / MINUTE,
                 np.append(values, values[-1:] if len(values) else np.nan),
@@ -107,11 +107,11 @@ class QValues:
 
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws each behavior's mean value."""
-        situation = self.scene.find(trials)
+        key = self.situation.find(trials)
         grid = np.linspace(0, end_of(trials), POINTS)
 
         def sampled(trial: pl.DataFrame, name: str) -> FloatArray:
-            return _sampled(*measures.q_curve(trial, situation, name), grid)
+            return _sampled(*measures.q_curve(trial, key, name), grid)
 
         for lane, name in enumerate(measures.behaviors(trials)):
             curves = per_trial(trials, partial(sampled, name=name))

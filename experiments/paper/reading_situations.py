@@ -1,4 +1,4 @@
-"""The 28 situations of experiment 5, counted."""
+"""The 28 situations of experiment 5, in which somebody reads, counted."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import polars as pl
 
-from experiments.analysis.tables import Entry, Table
+from experiments.analysis.tables import Cell, Table
 
 ACTIVITIES = (
     "entering",
@@ -25,7 +25,7 @@ PEOPLE = ("ann", "bob")
 """In phase 1 the first is to read, in phase 2 the second."""
 
 
-class Cell(NamedTuple):
+class ReadingSituation(NamedTuple):
     """One of the 28 situations."""
 
     reader: str
@@ -38,15 +38,15 @@ class Cell(NamedTuple):
     """Whether the other attends to the robot."""
 
 
-CELLS = tuple(
-    Cell(reader, activity, attends)
+SITUATIONS = tuple(
+    ReadingSituation(reader, activity, attends)
     for reader in PEOPLE
     for activity in ACTIVITIES
     for attends in (True, False)
 )
 
 
-def reached(frame: pl.DataFrame, phase: float) -> Mapping[Cell, int]:
+def reached(frame: pl.DataFrame, phase: float) -> Mapping[ReadingSituation, int]:
     """Returns how many history entries lie in each of the 28 situations.
 
     Args:
@@ -54,19 +54,22 @@ def reached(frame: pl.DataFrame, phase: float) -> Mapping[Cell, int]:
         phase: When the roles are inverted [s]. Where both read, the task of the phase
             tells who is meant as the reader.
     """
-    counts: Counter[Cell] = Counter()
-    first = pl.col("time") < phase
-    grouped = frame.group_by("situation", first.alias("first")).len()
-    for situation, is_first, count in grouped.iter_rows():
-        cell = _cell(situation, PEOPLE[0] if is_first else PEOPLE[1])
-        if cell is not None:
-            counts[cell] += count
+    counts: Counter[ReadingSituation] = Counter()
+    grouped = frame.group_by("situation", pl.col("time") < phase).agg(
+        pl.col("roles", "attention").first(), pl.len().alias("entries")
+    )
+    for _, is_first, roles, attention, entries in grouped.iter_rows():
+        plays = {one["actor"]: one["role"] for one in roles}
+        watching = {a["observer"] for a in attention if a["target"] not in plays}
+        found = _situation(plays, watching, PEOPLE[0] if is_first else PEOPLE[1])
+        if found is not None:
+            counts[found] += entries
     return counts
 
 
-def seeds_reaching(frame: pl.DataFrame, phase: float) -> Mapping[Cell, int]:
+def seeds_reaching(frame: pl.DataFrame, phase: float) -> Mapping[ReadingSituation, int]:
     """Returns in how many seeds each of the 28 situations is reached at all."""
-    counts: Counter[Cell] = Counter()
+    counts: Counter[ReadingSituation] = Counter()
     for trial in frame.partition_by("seed"):
         counts.update(reached(trial, phase).keys())
     return counts
@@ -83,9 +86,10 @@ def table(frame: pl.DataFrame, phase: float) -> Table:
     n = frame["seed"].n_unique()
     columns = [(reader, attends) for reader in PEOPLE for attends in (True, False)]
 
-    def entry(cell: Cell) -> Entry:
-        said = f"{counts.get(cell, 0) / n:.1f} ({seeds.get(cell, 0)})"
-        return Entry(text=said, shade=seeds.get(cell, 0) / n)
+    def cell(situation: ReadingSituation) -> Cell:
+        in_seeds = seeds.get(situation, 0)
+        text = f"{counts.get(situation, 0) / n:.1f} ({in_seeds})"
+        return Cell(text=text, shade=in_seeds / n)
 
     return Table(
         name="situations",
@@ -100,7 +104,10 @@ def table(frame: pl.DataFrame, phase: float) -> Table:
         rows=tuple(
             (
                 activity,
-                tuple(entry(Cell(one, activity, looks)) for one, looks in columns),
+                tuple(
+                    cell(ReadingSituation(reader, activity, attends))
+                    for reader, attends in columns
+                ),
             )
             for activity in ACTIVITIES
         ),
@@ -111,14 +118,19 @@ def table(frame: pl.DataFrame, phase: float) -> Table:
     )
 
 
-def _cell(situation: str, asked: str) -> Cell | None:
-    """Returns the cell that a situation, as text, lies in; None if nobody reads."""
-    facts = situation.split(", ")
-    roles = dict(fact.split() for fact in facts if ">" not in fact)
-    reading = [person for person in PEOPLE if roles[person] == "reading"]
-    if not reading:
+def _situation(
+    plays: Mapping[str, str], watching: set[str], asked: str
+) -> ReadingSituation | None:
+    """Returns which of the 28 situations it is; None if nobody reads.
+
+    Args:
+        plays: Role by person.
+        watching: Who attends to the robot.
+        asked: Whose task it is to read.
+    """
+    readers = [person for person in PEOPLE if plays[person] == "reading"]
+    if not readers:
         return None
-    reader = asked if asked in reading else reading[0]
+    reader = asked if asked in readers else readers[0]
     other = PEOPLE[1 - PEOPLE.index(reader)]
-    attends = any(fact.startswith(f"{other} > robot") for fact in facts)
-    return Cell(reader, roles[other], attends)
+    return ReadingSituation(reader, plays[other], other in watching)

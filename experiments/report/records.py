@@ -1,0 +1,135 @@
+"""What the report is made of: records that are published, shown and written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import polars as pl
+
+from experiments.analysis.claims import Finding
+from experiments.analysis.evaluation import Evaluation
+from experiments.analysis.tables import Table
+from experiments.paper import Experiment
+from experiments.running.study import Study
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawnFigure:
+    """A figure: its files, and what the report shows of it."""
+
+    name: str
+    """File name without suffix."""
+
+    caption: str
+    """What there is to see."""
+
+    svgs: tuple[str, ...]
+    """One SVG element per column, to be set in a page."""
+
+    files: tuple[Path, ...]
+    """The figure as SVG and as PNG."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reproduced:
+    """An experiment with all that came out of it."""
+
+    experiment: Experiment
+    """What was asked."""
+
+    study: Study
+    """What was run."""
+
+    document: dict[str, Any]
+    """The content of `study.json`."""
+
+    frame: pl.DataFrame
+    """The study's table."""
+
+    findings: tuple[Finding, ...]
+    """What came out of each claim."""
+
+    evaluations: tuple[Evaluation, ...]
+    """How well each condition did, by the paper's four methods and ours."""
+
+    figures: tuple[DrawnFigure, ...]
+    """The counterparts of the paper's figures, then all conditions in one."""
+
+    tables: tuple[Table, ...]
+    """What else is shown."""
+
+    typical_seed: int
+    """The seed whose trial is recorded."""
+
+    replay: Path
+    """The recording."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FactorialSummary:
+    """The factorial on one experiment's scenario."""
+
+    number: int
+    """Of the experiment."""
+
+    n_seeds: int
+    """Trials per combination."""
+
+    table: Table
+    """Appropriate choices of every combination."""
+
+    findings: tuple[Finding, ...]
+    """The paper's finding: at its own levels, and averaged over all others."""
+
+    silence: tuple[Finding, ...]
+    """Whether the social rate beats not learning from silence, in the same way."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SensitivitySummary:
+    """The sensitivity table, as far as it was run."""
+
+    table: Table
+    """Claims by constants."""
+
+    firm: tuple[str, ...]
+    """Claims whose verdict no constant changes."""
+
+    n_finished: int
+    """Variants whose trials are all there."""
+
+    n_variants: int
+    """Variants that change something."""
+
+    n_seeds: int
+    """Trials per condition, at least."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Published:
+    """Everything that came out, and where it lies."""
+
+    reproduced: tuple[Reproduced, ...]
+    """The finished experiments, in the paper's order."""
+
+    unfinished: tuple[str, ...]
+    """A sentence about each experiment that is left out."""
+
+    factorial: tuple[FactorialSummary, ...]
+    """The factorial, on each scenario where it is finished."""
+
+    sensitivity: SensitivitySummary | None
+    """None if nothing of it was run."""
+
+    claims_file: Path
+    """Every claim and what came of it."""
+
+    report_file: Path
+    """All of it, in one file."""
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Every finding of every experiment."""
+        return tuple(one for part in self.reproduced for one in part.findings)
