@@ -90,6 +90,9 @@ class Settings:
     decisions: int = 4000
     """In each of the trials, so that a repetition lasts some seconds."""
 
+    trial_decisions: int = 1800
+    """In a whole trial of `evening` that is compared with its bare steps."""
+
 
 SHORT_TURNS = 16
 """In a repetition, where the same code is compared with itself: other work on the

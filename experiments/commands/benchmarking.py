@@ -61,7 +61,7 @@ def measure_all(settings: Settings, out: Path) -> None:
 
 
 def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
-    from experiments.bench import inside, learning, processes, stepping
+    from experiments.bench import inside, learning, processes, stepping, whole_trials
 
     return {
         "steps beside peers": stepping.beside_peers,
@@ -69,6 +69,7 @@ def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
         "the parts of a step": inside.parts,
         "growth": stepping.growth,
         "recording": stepping.recording,
+        "whole trials": whole_trials.beside_steps,
         "learners": learning.updates,
         "learners' memory": learning.visited,
         "start": processes.starting,

@@ -18,6 +18,7 @@ TINY = Settings(
     situations=(5, 10),
     trials=2,
     decisions=20,
+    trial_decisions=20,
 )
 
 
@@ -52,6 +53,7 @@ def test_every_part_is_measured(told):
         "largest household",
         "where a step goes",
         "recording",
+        "trial of evening",
         "learner's update against actors",
         "learner's update against situations visited",
         "learner's memory against situations visited",
@@ -75,6 +77,8 @@ def test_every_budget_that_can_be_checked_without_peers_is_there(told):
         "that / 4 + 2",
         "that / 4 + 2, never finishing",
         "recorded step / plain step",
+        "designated / bare",
+        "hierarchical_thompson / bare",
         "import household",
         "household --help",
         "2 workers / 1 worker",
