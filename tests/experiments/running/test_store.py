@@ -1,3 +1,4 @@
+import json
 import os
 import signal
 
@@ -85,6 +86,33 @@ def test_the_study_file_names_versions_and_commit(tmp_path):
     assert len(session) == 1
     assert {"python", "numpy", "polite-household"} <= set(session[0]["versions"])
     assert "commit" in session[0]
+
+
+def test_factors_are_columns_of_the_table(tmp_path):
+    conditions = tuple(
+        Condition(name=f"{rate}", scenario="s", learner="q", factors={"rate": rate})
+        for rate in ("slow", "fast")
+    )
+    wanted = Study(name="test", conditions=conditions, seeds=(0, 1), run=nothing)
+    frame = filled(tmp_path, wanted).read(wanted)
+    assert frame.columns == ["condition", "seed", "rate", "x"]
+    assert frame.filter(rate="fast")["condition"].to_list() == ["fast", "fast"]
+
+
+def test_results_of_an_older_format_are_refused_in_one_line(tmp_path):
+    results = filled(tmp_path, study())
+    older = {**results.read_study(), "format": 1}
+    results.study_file.write_text(json.dumps(older))
+    before = results.study_file.read_bytes()
+    for refused in (results.read_study, lambda: results.prepare(study(), {})):
+        with pytest.raises(ExperimentError) as caught:
+            refused()
+        assert "holds results in format 1, this version reads format 2" in str(
+            caught.value
+        )
+        assert "Choose another --out, or delete" in str(caught.value)
+        assert "\n" not in str(caught.value)
+    assert results.study_file.read_bytes() == before
 
 
 def test_a_damaged_study_file_is_named(tmp_path):

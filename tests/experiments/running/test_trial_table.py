@@ -121,3 +121,47 @@ def test_a_touch_that_nobody_credited_is_kept_without_a_pair(play_home):
     run_episode(play_home(60), robots, seed=0, observers=[table])
     felt = touches(table.frame())
     assert felt["credited_behavior"].null_count() == len(felt) > 3
+
+
+def test_roles_and_attention_are_data_beside_their_key(play_home):
+    seen = Situation.of(
+        {"ann": "playing", "bob": "calling"}, [("bob", "ann"), ("ann", "robot_0")]
+    )
+
+    class Home(play_home):
+        def situation(self, agent):
+            return PLAY if self.decision < 10 else seen
+
+    table = TrialTable()
+    robots = {"robot_0": LearningRobot(Believer())}
+    run_episode(Home(20), robots, seed=0, observers=[table])
+    frame = table.frame()
+    first, last = frame.row(0, named=True), frame.row(-1, named=True)
+    assert first["roles"] == [{"actor": "ann", "role": "playing"}]
+    assert first["attention"] == []
+    assert last["roles"] == [
+        {"actor": "ann", "role": "playing"},
+        {"actor": "bob", "role": "calling"},
+    ]
+    assert last["attention"] == [
+        {"observer": "ann", "target": "robot_0"},
+        {"observer": "bob", "target": "ann"},
+    ]
+    assert frame["situation"].unique(maintain_order=True).to_list() == [
+        key_of(PLAY),
+        key_of(seen),
+    ]
+
+
+def test_what_people_want_is_kept_where_a_behavior_was_chosen(play_home):
+    class Home(play_home):
+        def situation(self, agent):
+            return Situation.of({"ann": f"role {self.decision}"})
+
+    table = TrialTable()
+    robots = {"robot_0": LearningRobot(Believer())}
+    run_episode(Home(20), robots, seed=0, observers=[table])
+    frame = table.frame()
+    assert 0 < frame["chosen"].sum() < len(frame)
+    known = frame.select(pl.col("appropriateness").is_not_null()).to_series()
+    assert (known == frame["chosen"]).all()
