@@ -76,8 +76,8 @@ def _unboxed(complaint: str) -> str:
     """Returns the parser's complaint, a box of several lines, as one line."""
     inside = [line.strip("│ \n") for line in complaint.splitlines()[1:]]
     blocks = re.split(r"[─╭╮╰╯]{3,}", " ".join(inside))
-    said = (" ".join(block.split()).rstrip(".") for block in blocks)
-    return ". ".join(sentence for sentence in said if sentence) + "."
+    sentences = (" ".join(block.split()).rstrip(".") for block in blocks)
+    return ". ".join(sentence for sentence in sentences if sentence) + "."
 
 
 def _is_users(error: Exception) -> bool:

@@ -1,4 +1,4 @@
-"""Claims as data: what is said, how it is measured, when it holds."""
+"""Claims as data: what is claimed, how it is measured, when it holds."""
 
 from __future__ import annotations
 

@@ -22,12 +22,12 @@ METHODS = (
     "Human opinion",
     BEYOND,
 )
-"""The paper's four methods in its order, then what only a simulator can know."""
+"""The paper's four methods in its order, then what only a simulator can measure."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Evaluation:
-    """One number that tells how well a condition did."""
+    """One number for how well a condition did."""
 
     method: str
     """One of the paper's four methods."""
@@ -47,7 +47,7 @@ class Evaluation:
 
 @dataclass(frozen=True, kw_only=True)
 class Method:
-    """One way to tell how well a condition did."""
+    """One way to measure how well a condition did."""
 
     name: str
     """One of the paper's four methods, or `Beyond the paper`."""
@@ -77,7 +77,7 @@ def evaluations(
         frame: The table of a study.
         conditions: In the order of presentation.
         situations: Those that are to be learned.
-        further: What an experiment measures beside what all have.
+        further: What an experiment measures beside what all of them do.
     """
     methods = [*_methods(situations, measures.behaviors(frame)), *further]
     methods.sort(key=lambda method: METHODS.index(method.name))

@@ -106,7 +106,7 @@ def last_quarter(table: pl.DataFrame) -> pl.DataFrame:
 
 
 def appropriate(table: pl.DataFrame) -> npt.NDArray[np.bool_]:
-    """Returns which entries did what the people then wanted most.
+    """Returns in which entries the robot did what the people then wanted most.
 
     Args:
         table: Entries in which a behavior was chosen.

@@ -1,4 +1,4 @@
-"""Households of any size to step, and what steps them."""
+"""Households of any size, and what steps them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ APART = 0.7
 """Least distance between robots at the beginning [m]."""
 
 FOREVER = 10**9
-"""Decisions in an episode that is not to end."""
+"""Decisions in an episode that does not end."""
 
 
 BEINGS = 6
@@ -34,7 +34,7 @@ def evening() -> Household:
 def household(
     n_people: int, n_robots: int, home: str | FloorPlan = "villa"
 ) -> Household:
-    """Returns a household of everyday people of all shipped kinds.
+    """Returns a household with people of all shipped personas.
 
     Args:
         n_people: 1 to 64.
@@ -70,7 +70,7 @@ def _spots(home: str | FloorPlan, n: int) -> list[tuple[float, float]]:
 
 
 DRAWN = 5000
-"""Steps for which actions are drawn; then they come again."""
+"""Steps for which actions are drawn; afterwards the same actions come again."""
 
 
 @dataclass
@@ -105,9 +105,9 @@ class Stepping:
 
 @dataclass
 class PatientStepping(Stepping):
-    """Steps a household in which robots finish what they do, as those who learn do.
+    """Steps a household in which robots finish what they do, as learning robots do.
 
-    Who goes on with what it does gets no action.
+    A robot that goes on with its behavior gets no action.
     """
 
     def _drawn(self) -> list[dict[str, int]]:

@@ -1,4 +1,4 @@
-"""Inside a step: what the physics engine takes of it, and where all of it goes."""
+"""Inside a step: how much the physics engine takes, and which part takes how much."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from experiments.bench.homes import BEINGS, PatientStepping, Stepping, evening
-from experiments.bench.measure import Measure, Settings, microseconds, ratios
+from experiments.bench.measurement import Measurement, Settings, microseconds, ratios
 
 if TYPE_CHECKING:
     from household.environment import Household
@@ -26,13 +26,13 @@ PARTS = {
     "people decide and set out": "simulation.people.decide",
     "observations, situations, infos": "_results",
 }
-"""The parts of a step: the methods of the environment that they are done by."""
+"""The parts of a step, and the methods of the environment that do them."""
 
 PACE = 1.0
 """At which everybody walks where the engine is measured alone [m/s]."""
 
 
-def physics(settings: Settings) -> Iterator[Measure]:
+def physics(settings: Settings) -> Iterator[Measurement]:
     """Yields how a step compares to the engine's own work in as many ticks.
 
     The engine is measured in ten ticks in which all six bodies walk: in a loop, where
@@ -55,15 +55,17 @@ def physics(settings: Settings) -> Iterator[Measure]:
         ("10 x Space.step, in a loop", loops),
         ("10 x Space.step, after a step", walks),
     ):
-        yield Measure(part="physics", name=name, unit="us", values=microseconds(values))
-    yield Measure(
+        yield Measurement(
+            part="physics", name=name, unit="us", values=microseconds(values)
+        )
+    yield Measurement(
         part="physics",
         name="step / 10 x Space.step",
         unit="x",
         values=ratios(steps, walks),
         at_most=3.0,
     )
-    yield Measure(
+    yield Measurement(
         part="physics",
         name="the same, beside the loop",
         unit="x",
@@ -80,7 +82,7 @@ def _timed_step(step: Stepping) -> float:
 
 
 def _walk(env: Household) -> Callable[[], float]:
-    """Returns what times the engine while everybody walks for one decision period.
+    """Returns a function that times the engine while all walk for a decision period.
 
     All walk in different directions, and back in the next period.
     """
@@ -102,7 +104,7 @@ def _walk(env: Household) -> Callable[[], float]:
     return walk
 
 
-def parts(settings: Settings) -> Iterator[Measure]:
+def parts(settings: Settings) -> Iterator[Measurement]:
     """Yields the share of each part of a step."""
     env = evening()
     spent: dict[str, list[float]] = {name: [] for name in PARTS}
@@ -116,7 +118,7 @@ def parts(settings: Settings) -> Iterator[Measure]:
             _shares(step, settings.steps, spent) for _ in range(settings.repetitions)
         ]
     for name in rounds[0]:
-        yield Measure(
+        yield Measurement(
             part="where a step goes",
             name=name,
             unit="%",
@@ -140,7 +142,7 @@ def _shares(
 
 @contextmanager
 def _timed(owner: object, method: str, spent: list[float]) -> Iterator[None]:
-    """Notes what each call of a method takes; wall time, which costs least to ask."""
+    """Notes how long each call of a method takes, in wall time: the cheapest clock."""
     call: Callable[..., object] = getattr(owner, method)
 
     def timed(*args: object, **named: object) -> object:

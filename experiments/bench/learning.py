@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from experiments.bench.measure import Measure, Settings, exponent
+from experiments.bench.measurement import Growth, Measurement, Settings, exponent
 
 BUDGET_ACTORS = 8
 """Actors that the budget of an update is for."""
@@ -20,43 +20,51 @@ ACTORS = 4
 """In the states of which more and more are visited."""
 
 
-def updates(settings: Settings) -> Iterator[Measure]:
+def updates(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of an update with canonical analogy, against the actors."""
     from learners.analogy.operators import Canonical
     from learners.benchmark import microseconds
 
+    growths = [
+        Growth(what="learner's update", against="actors", x=actors)
+        for actors in settings.actors
+    ]
     found = [
-        Measure(
-            part="learner's update against actors",
+        Measurement(
+            part=growth.part,
             name=str(actors),
             unit="us",
             values=tuple(
                 float(microseconds(Canonical(), actors, known=True))
                 for _ in range(min(settings.repetitions, 3))
             ),
-            x=actors,
+            growth=growth,
             at_most=20.0 if actors == BUDGET_ACTORS else None,
         )
-        for actors in settings.actors
+        for actors, growth in zip(settings.actors, growths, strict=True)
     ]
     yield from (*found, exponent(found, at_most=2.0))
 
 
-def visited(settings: Settings) -> Iterator[Measure]:
+def visited(settings: Settings) -> Iterator[Measurement]:
     """Yields time of an update and memory of a learner, against what it visited."""
     lives = [_lives(settings.situations) for _ in range(min(settings.repetitions, 3))]
     for place, (what, unit, at_most) in enumerate(
         (("update", "us", FLAT), ("memory", "kB", 1.0))
     ):
+        growths = [
+            Growth(what=f"learner's {what}", against="situations visited", x=situations)
+            for situations in settings.situations
+        ]
         found = [
-            Measure(
-                part=f"learner's {what} against situations visited",
-                name=str(situations),
+            Measurement(
+                part=growth.part,
+                name=f"{growth.x:.0f}",
                 unit=unit,
                 values=tuple(each[index][place] for each in lives),
-                x=situations,
+                growth=growth,
             )
-            for index, situations in enumerate(settings.situations)
+            for index, growth in enumerate(growths)
         ]
         yield from (*found, exponent(found, at_most))
 

@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 
-from experiments.bench.measure import Measure, Settings, ratios
+from experiments.bench.measurement import Measurement, Settings, ratios
 
 IMPORT = "import household"
 ENVIRONMENT = "import household.household_v0"
@@ -19,14 +19,14 @@ with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):
 """
 
 
-def starting(settings: Settings) -> Iterator[Measure]:
+def starting(settings: Settings) -> Iterator[Measurement]:
     """Yields the processor's time of fresh processes, the interpreter's included."""
     for name, code, most in (
         ("import household", IMPORT, 1.0),
         ("import household.household_v0", ENVIRONMENT, None),
         ("household --help", HELP, 0.5),
     ):
-        yield Measure(
+        yield Measurement(
             part="start",
             name=name,
             unit="s",
@@ -36,16 +36,16 @@ def starting(settings: Settings) -> Iterator[Measure]:
 
 
 def _spent(code: str) -> float:
-    told = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-c", f"{code}\nimport time; print(time.process_time())"],
         check=True,
         capture_output=True,
         text=True,
     )
-    return float(told.stdout)
+    return float(process.stdout)
 
 
-def trials(settings: Settings) -> Iterator[Measure]:
+def trials(settings: Settings) -> Iterator[Measurement]:
     """Yields trials per minute with one and with two workers, in turn, by the clock."""
     rounds = [
         [_per_minute(workers, settings) for workers in (1, 2)]
@@ -53,10 +53,10 @@ def trials(settings: Settings) -> Iterator[Measure]:
     ]
     one, two = (list(rates) for rates in zip(*rounds, strict=True))
     for name, rates in (("1 worker", one), ("2 workers", two)):
-        yield Measure(
+        yield Measurement(
             part="trials", name=f"per minute, {name}", unit="1/min", values=tuple(rates)
         )
-    yield Measure(
+    yield Measurement(
         part="trials",
         name="2 workers / 1 worker",
         unit="x",
@@ -69,7 +69,7 @@ def _per_minute(workers: int, settings: Settings) -> float:
     """Times some trials while every worker is busy.
 
     The time goes from when every worker has finished a trial, and so has begun, to
-    when the wanted number more are done, and every worker has still something to do.
+    when as many more as are counted are done, while every worker is still busy.
     """
     from experiments.running.engine import open_engine, run_trials
     from experiments.running.study import Condition, Trial

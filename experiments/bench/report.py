@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Group, RenderableType
     from rich.table import Table
 
-    from experiments.bench.measure import Measure, Settings
+    from experiments.bench.measurement import Measurement, Settings
 
 VERDICTS = {None: "", True: "kept", False: "MISSED"}
 
@@ -46,49 +46,49 @@ def _processor() -> str:
     return names[0] if names else platform.processor() or platform.machine()
 
 
-def document(measures: Iterable[Measure], settings: Settings) -> dict[str, Any]:
+def document(measurements: Iterable[Measurement], settings: Settings) -> dict[str, Any]:
     """Returns everything as plain data."""
     return {
         "machine": machine(),
         "versions": versions(),
         "commit": commit(),
         "settings": dataclasses.asdict(settings),
-        "measures": [measure.plain() for measure in measures],
+        "measures": [each.plain() for each in measurements],
     }
 
 
-def write(measures: Sequence[Measure], settings: Settings, out: Path) -> None:
+def write(measurements: Sequence[Measurement], settings: Settings, out: Path) -> None:
     """Writes bench.json, bench.md and bench.svg."""
-    write_text(out / "bench.json", to_json(document(measures, settings)))
-    write_text(out / "bench.md", markdown(measures))
-    write_whole(out / "bench.svg", lambda path: _plot(measures, path))
+    write_text(out / "bench.json", to_json(document(measurements, settings)))
+    write_text(out / "bench.md", markdown(measurements))
+    write_whole(out / "bench.svg", lambda path: _plot(measurements, path))
 
 
-def markdown(measures: Iterable[Measure]) -> str:
+def markdown(measurements: Iterable[Measurement]) -> str:
     """Returns the table for the docs, with the machine below it."""
     lines = ["| what | median | least | most | budget | |", "|" + " --- |" * 6]
-    for part, found in _by_part(measures).items():
+    for part, found in _by_part(measurements).items():
         lines.append(f"| **{part}** | | | | | |")
         lines += [f"| {' | '.join(_cells(each)).strip()} |" for each in found]
-    told = [f"{name}: {value}" for name, value in machine().items()]
-    return "\n".join([*lines, "", "; ".join(told) + ".", ""])
+    facts = [f"{name}: {value}" for name, value in machine().items()]
+    return "\n".join([*lines, "", "; ".join(facts) + ".", ""])
 
 
-def _by_part(measures: Iterable[Measure]) -> dict[str, list[Measure]]:
-    parts: dict[str, list[Measure]] = {}
-    for each in measures:
+def _by_part(measurements: Iterable[Measurement]) -> dict[str, list[Measurement]]:
+    parts: dict[str, list[Measurement]] = {}
+    for each in measurements:
         parts.setdefault(each.part, []).append(each)
     return parts
 
 
-def tables(measures: Iterable[Measure]) -> Group:
-    """Returns all measures, a table for each part; 80 columns are enough."""
+def tables(measurements: Iterable[Measurement]) -> Group:
+    """Returns all measurements, a table for each part; 80 columns are enough."""
     from rich.console import Group
 
     head = _grid()
     head.add_row("", "median", "least - most", "budget", style="italic")
     shown: list[RenderableType] = [head]
-    for part, found in _by_part(measures).items():
+    for part, found in _by_part(measurements).items():
         rows = _grid()
         for each in found:
             name, median, least, most, budget, verdict = _cells(each)
@@ -110,7 +110,7 @@ def _grid() -> Table:
     return grid
 
 
-def _cells(each: Measure) -> tuple[str, ...]:
+def _cells(each: Measurement) -> tuple[str, ...]:
     bounds = (("<=", each.at_most), (">=", each.at_least))
     budget = "".join(f"{sign} {bound:g}" for sign, bound in bounds if bound is not None)
     return (
@@ -128,35 +128,36 @@ def _number(value: float) -> str:
     return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
 
 
-def _plot(measures: Sequence[Measure], path: Path) -> None:
+def _plot(measurements: Sequence[Measurement], path: Path) -> None:
     """One plot for each part that grows with something; medians and ranges."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    parts = list(dict.fromkeys(each.part for each in measures if each.x is not None))
+    parts = list(_by_part(each for each in measurements if each.growth).values())
     rows = -(-len(parts) // COLUMNS)
     with mpl.rc_context({"svg.hashsalt": "household", "font.size": 9}):
         figure = Figure(figsize=(3.4 * COLUMNS, 2.6 * rows), layout="constrained")
         axes = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
-        for part, ax in zip(parts, axes, strict=False):
-            _draw(ax, part, [each for each in measures if each.part == part and each.x])
+        for ax, part in zip(axes, parts, strict=False):
+            _draw(ax, part)
         for ax in axes[len(parts) :]:
             ax.set_visible(False)
         figure.savefig(path, format="svg", metadata={"Date": None})
 
 
-def _draw(ax: Axes, part: str, measures: Sequence[Measure]) -> None:
-    x = [each.x or 0.0 for each in measures]
-    ax.plot(x, [each.median for each in measures], marker="o", color="#0072b2")
+def _draw(ax: Axes, measurements: Sequence[Measurement]) -> None:
+    growths = [each.growth for each in measurements if each.growth]
+    x = [growth.x for growth in growths]
+    ax.plot(x, [each.median for each in measurements], marker="o", color="#0072b2")
     ax.fill_between(
         x,
-        [min(each.values) for each in measures],
-        [max(each.values) for each in measures],
+        [min(each.values) for each in measurements],
+        [max(each.values) for each in measurements],
         color="#0072b2",
         alpha=0.2,
         linewidth=0,
     )
-    what, _, against = part.partition(" against ")
-    ax.set(xlabel=against, ylabel=f"{what} [{measures[0].unit}]")
+    ylabel = f"{growths[0].what} [{measurements[0].unit}]"
+    ax.set(xlabel=growths[0].against, ylabel=ylabel)
     ax.set_ylim(bottom=0)
     ax.spines[["top", "right"]].set_visible(False)

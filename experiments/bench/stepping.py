@@ -1,4 +1,4 @@
-"""Steps of households: what they take, beside physics and peers, and how it grows."""
+"""Steps of households: how long they take, beside peers, and how that grows."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ from experiments.bench.homes import (
     evening,
     household,
 )
-from experiments.bench.measure import (
+from experiments.bench.measurement import (
     SHORT_TURNS,
-    Measure,
+    Growth,
+    Measurement,
     Settings,
     alternate,
     exponent,
@@ -36,12 +37,12 @@ RESTLESS = "the same, robots never finish"
 MPE2 = "mpe2 simple_spread_v3"
 
 
-def beside_peers(settings: Settings) -> Iterator[Measure]:
+def beside_peers(settings: Settings) -> Iterator[Measurement]:
     """Yields steps of ours and of every peer that is installed, in turn.
 
     Ours are stepped twice: with robots that finish what they do, as `policies.learning`
-    has it, and with robots that begin something else in every step, which annoys
-    people so much that they are always after them.
+    has it, and with robots that begin another behavior in every step, which annoys
+    people so much that they walk to the robots all the time.
     """
     peers = {peer.name: peer for peer in installed(BEINGS)}
     calls = {name: peer.step for name, peer in peers.items()}
@@ -49,9 +50,11 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
     times = alternate({**ours, **calls}, settings.repetitions, settings.steps)
     lasts = dict.fromkeys(ours, 1.0) | {n: peer.period for n, peer in peers.items()}
     for name, seconds in times.items():
-        yield Measure(part="step", name=name, unit="us", values=microseconds(seconds))
+        yield Measurement(
+            part="step", name=name, unit="us", values=microseconds(seconds)
+        )
     for name, seconds in times.items():
-        yield Measure(
+        yield Measurement(
             part="agent-seconds per second",
             name=name,
             unit="1/s",
@@ -59,7 +62,7 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
         )
     if MPE2 in times:
         for name, what in ((OURS, "ours"), (RESTLESS, "never finishing")):
-            yield Measure(
+            yield Measurement(
                 part="step",
                 name=f"steps per second, {what} / mpe2",
                 unit="x",
@@ -68,13 +71,13 @@ def beside_peers(settings: Settings) -> Iterator[Measure]:
             )
 
 
-def recording(settings: Settings) -> Iterator[Measure]:
-    """Yields what a replay file adds to a step: to its time, and to the processor's.
+def recording(settings: Settings) -> Iterator[Measurement]:
+    """Yields what a replay file adds to a step, by the clock and in processor time.
 
-    Rerun writes in a thread of its own while the next steps are made: that takes the
-    processor's time, but nobody waits for it. A repetition lasts until a part of the
-    file is written, and the processor's time contains that; with 1000 steps in a
-    repetition these are as many as recorders have it.
+    Rerun writes in a thread of its own while the next steps are made: that takes
+    processor time, but no step waits for it. A repetition lasts until a part of the
+    file is written, so that the processor time contains it; 1000 steps in a repetition
+    stand for the number after which a recorder writes by default.
     """
     from household.replay.buffer import FLUSH_EVERY
     from household.replay.wrapper import RecordEpisodes
@@ -89,14 +92,14 @@ def recording(settings: Settings) -> Iterator[Measure]:
         ]
         recorder.close()
     clock, processor = zip(*rounds[1:], strict=True)
-    yield Measure(
+    yield Measurement(
         part="recording",
         name="recorded step / plain step",
         unit="x",
         values=clock,
         at_most=1.2,
     )
-    yield Measure(
+    yield Measurement(
         part="recording",
         name="the same, with other threads",
         unit="x",
@@ -131,7 +134,7 @@ def _recorded(
     return clock, processor
 
 
-def growth(settings: Settings) -> Iterator[Measure]:
+def growth(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of a step against people, robots and walls."""
     for what, homes, at_most in (
         ("people, with 2 robots", {n: household(n, 2) for n in settings.people}, 2.0),
@@ -143,7 +146,7 @@ def growth(settings: Settings) -> Iterator[Measure]:
     yield from _largest(settings)
 
 
-def _largest(settings: Settings) -> Iterator[Measure]:
+def _largest(settings: Settings) -> Iterator[Measurement]:
     """Yields the largest household beside the usual one, stepped in both ways."""
     n_people, n_robots = max(settings.people), max(settings.robots)
     large = f"{n_people} + {n_robots}"
@@ -153,13 +156,13 @@ def _largest(settings: Settings) -> Iterator[Measure]:
             "small": stepping(household(4, 2)),
         }
         times = alternate(subjects, settings.repetitions, settings.steps, SHORT_TURNS)
-        yield Measure(
+        yield Measurement(
             part="largest household",
             name=f"{large}{how}",
             unit="us",
             values=microseconds(times["large"]),
         )
-        yield Measure(
+        yield Measurement(
             part="largest household",
             name=f"that / 4 + 2{how}",
             unit="x",
@@ -178,15 +181,16 @@ def _homes(settings: Settings) -> dict[int, Household]:
 
 def _against(
     what: str, homes: dict[int, Household], settings: Settings
-) -> Iterator[Measure]:
+) -> Iterator[Measurement]:
     """Yields the time of a step in each of some households, measured in turn."""
     subjects = {str(n): Stepping(env) for n, env in homes.items()}
     times = alternate(subjects, settings.repetitions, settings.steps)
     for n in homes:
-        yield Measure(
-            part=f"step against {what}",
+        growth = Growth(what="step", against=what, x=n)
+        yield Measurement(
+            part=growth.part,
             name=str(n),
             unit="us",
             values=microseconds(times[str(n)]),
-            x=n,
+            growth=growth,
         )

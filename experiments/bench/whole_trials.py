@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterator, Mapping
 
 from experiments.bench.homes import PatientStepping, evening
-from experiments.bench.measure import Measure, Settings, ratios
+from experiments.bench.measurement import Measurement, Settings, ratios
 
 PART = "trial of evening"
 
@@ -25,7 +25,7 @@ AT_MOST: Mapping[str, float] = {
 the dearest of the catalog."""
 
 
-def beside_steps(settings: Settings) -> Iterator[Measure]:
+def beside_steps(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of trials and of as many bare steps with random actions, in turn.
 
     The robots of the bare steps finish what they do, as those of the trials.
@@ -40,14 +40,14 @@ def beside_steps(settings: Settings) -> Iterator[Measure]:
         bare.append(_steps(step, settings.trial_decisions))
         for learner, seconds in trials.items():
             seconds.append(_trial(learner, seed, settings.trial_decisions))
-    yield Measure(
+    yield Measurement(
         part=PART,
         name="bare steps, random actions",
         unit="ms",
         values=tuple(1e3 * seconds for seconds in bare),
     )
     for learner, at_most in AT_MOST.items():
-        yield Measure(
+        yield Measurement(
             part=PART,
             name=f"{learner} / bare",
             unit="x",

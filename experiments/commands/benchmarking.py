@@ -11,12 +11,12 @@ from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError
 
 if TYPE_CHECKING:
-    from experiments.bench.measure import Measure, Settings
+    from experiments.bench.measurement import Measurement, Settings
 
 
 @dataclass(frozen=True, kw_only=True)
 class Bench:
-    """Measure how fast it all is, beside peers that are installed.
+    """Measurement how fast everything is, beside the peers that are installed.
 
     Takes some minutes; the peers come with the extra `bench`.
     """
@@ -32,7 +32,7 @@ class Bench:
 
     def run(self) -> None:
         """Measures everything, writes it down and shows it."""
-        from experiments.bench.measure import Settings
+        from experiments.bench.measurement import Settings
         from experiments.running.store import make_directory
 
         for name in ("repetitions", "steps"):
@@ -49,18 +49,18 @@ def measure_all(settings: Settings, out: Path) -> None:
     from experiments.bench import report
 
     console = new_console()
-    measures: list[Measure] = []
+    measurements: list[Measurement] = []
     for name, part in _parts().items():
         with console.status(f"Measuring {name}"):
-            measures += part(settings)
-    report.write(measures, settings, out)
-    console.print(report.tables(measures))
+            measurements += part(settings)
+    report.write(measurements, settings, out)
+    console.print(report.tables(measurements))
     for name, value in report.machine().items():
         console.print(f"{name}: {value}")
     console.print(f"{out}: bench.json, bench.md, bench.svg")
 
 
-def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measure]]]:
+def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measurement]]]:
     from experiments.bench import inside, learning, processes, stepping, whole_trials
 
     return {

@@ -46,7 +46,7 @@ class Train:
         from experiments.running.trial import describe_condition
 
         trial = self._trial()
-        describe_condition(trial.condition)  # what is wrong with it is said here
+        describe_condition(trial.condition)  # refuses a wrong condition
         make_directory(self.out)
         self._live(new_console(), trial)
 

@@ -203,7 +203,7 @@ def time_share(trial: pl.DataFrame, column: str, value: str, end: float) -> Floa
     Args:
         trial: The table of a trial.
         column: `behavior` or `situation`.
-        value: What it is to be.
+        value: Which value.
         end: End of the last bin. [s]
 
     Returns:
@@ -224,7 +224,7 @@ def _cumulative(trial: pl.DataFrame) -> tuple[FloatArray, FloatArray]:
 
 
 def middles(end: float) -> FloatArray:
-    """Returns the middles of the bins of time that `time_share` tells of."""
+    """Returns the middles of the bins of time that `time_share` counts in."""
     return (np.arange(BINS) + 0.5) * end / BINS
 
 

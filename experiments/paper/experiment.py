@@ -37,7 +37,7 @@ class PaperFigure:
     """File name without suffix, e.g. `figure_3`."""
 
     caption: str
-    """What there is to see."""
+    """What the figure shows."""
 
     condition: str
     """Whose trials it shows."""
@@ -114,7 +114,7 @@ class Experiment:
     """What else is shown: each takes the study's table."""
 
     further: tuple[Method, ...] = ()
-    """What else tells how well a condition did, beside what every experiment has."""
+    """Evaluations beside those that every experiment has."""
 
     @property
     def name(self) -> str:

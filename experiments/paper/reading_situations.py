@@ -22,7 +22,7 @@ ACTIVITIES = (
 """The five of the script, then the two that are passed through."""
 
 PEOPLE = ("ann", "bob")
-"""In phase 1 the first is to read, in phase 2 the second."""
+"""In phase 1 it is the task of the first to read, in phase 2 of the second."""
 
 
 class ReadingSituation(NamedTuple):
@@ -52,7 +52,7 @@ def reached(frame: pl.DataFrame, phase: float) -> Mapping[ReadingSituation, int]
     Args:
         frame: The table of some trials of experiment 5.
         phase: When the roles are inverted [s]. Where both read, the task of the phase
-            tells who is meant as the reader.
+            decides who counts as the reader.
     """
     counts: Counter[ReadingSituation] = Counter()
     grouped = frame.group_by("situation", pl.col("time") < phase).agg(

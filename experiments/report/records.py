@@ -23,7 +23,7 @@ class DrawnFigure:
     """File name without suffix."""
 
     caption: str
-    """What there is to see."""
+    """What the figure shows."""
 
     svgs: tuple[str, ...]
     """One SVG element per column, to be set in a page."""

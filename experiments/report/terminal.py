@@ -51,8 +51,8 @@ def show(console: Console, published: Published) -> None:
     for what, path in places.items():
         console.print(f"{what}: {path}", highlight=False, soft_wrap=True)
     for part in published.reproduced:
-        said = f"replay: household replay {part.replay}"
-        console.print(said, highlight=False, soft_wrap=True)
+        command = f"household replay {part.replay}"
+        console.print(f"replay: {command}", highlight=False, soft_wrap=True)
 
 
 def claims_table(published: Published, *, narrow: bool = False) -> Table:

@@ -35,7 +35,7 @@ def prepare(studies: Sequence[Study], out: Path) -> tuple[Job, ...]:
     """Makes directories ready and returns what is still to be run.
 
     Args:
-        studies: What is wanted.
+        studies: What is to be run.
         out: The directory that gets a directory for each study.
 
     Raises:
@@ -83,12 +83,12 @@ def _run(job: Job) -> polars.DataFrame:
 
 
 def _store(outcome: Outcome[Job, polars.DataFrame]) -> list[str]:
-    """Stores a result; returns a sentence if there is none."""
+    """Stores a result; returns what failed if there is none."""
     results, trial = outcome.trial.results, outcome.trial.trial
     if outcome.value is not None:
         results.write(trial, outcome.value)
         return []
     error = outcome.error or RuntimeError("the trial returned nothing")
     path = results.write_error(trial, error)
-    said = str(error).strip().partition("\n")[0]
-    return [f"{trial}: {type(error).__name__}: {said} (traceback in {path})"]
+    reason = str(error).strip().partition("\n")[0]
+    return [f"{trial}: {type(error).__name__}: {reason} (traceback in {path})"]

@@ -42,11 +42,11 @@ def run_trial(trial: Trial, followed: Sequence[Predicate] = ()) -> polars.DataFr
 
 
 def play(trial: Trial, observers: Sequence[Observer] = ()) -> dict[str, LearningRobot]:
-    """Runs a trial and lets observers watch.
+    """Runs a trial while observers watch.
 
     Args:
         trial: What to run.
-        observers: Who watches, e.g. a result table or a replay file.
+        observers: For example the table of the trial, or a replay file.
 
     Returns:
         The robots, with what they learned.

@@ -32,7 +32,7 @@ _PAIR = ("bout", "situation", "behavior")
 
 
 class Evaluated(Home, Protocol):
-    """A home that also tells an evaluator what no robot may know."""
+    """A home that also answers an evaluator what no robot may know."""
 
     possible_agents: list[str]
 

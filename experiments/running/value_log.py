@@ -12,7 +12,7 @@ Predicate = Callable[[Situation], bool]
 
 
 class ValueLog:
-    """Looks at Q-values where they may matter, and tells what has changed.
+    """Looks at Q-values where they may matter, and finds what has changed.
 
     Args:
         followed: Situations that are looked at each time, once they were met.

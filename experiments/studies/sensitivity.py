@@ -127,13 +127,13 @@ def holding(
     if not results.study_file.exists() or results.missing(study.trials()):
         return None
     kept = results.directory / "verdicts.json"
-    print_ = _fingerprint(variant.experiment, seeds)
+    fingerprint = _fingerprint(variant.experiment, seeds)
     known = _read(kept)
-    if known.get("fingerprint") != print_:
+    if known.get("fingerprint") != fingerprint:
         changed = [condition.name for condition in variant.conditions]
         rest = base.filter(~pl.col("condition").is_in(changed))
         found = holds(variant.experiment, pl.concat([rest, results.read(study)]))
-        known = {"fingerprint": print_, "holds": found}
+        known = {"fingerprint": fingerprint, "holds": found}
         write_text(kept, to_json(known))
     held: Mapping[str, bool] = known["holds"]
     return held
@@ -149,10 +149,10 @@ def _alone(claim: Claim) -> Claim:
 
 
 def _fingerprint(experiment: Experiment, seeds: tuple[int, ...]) -> str:
-    said = [
+    stated = [
         (c.id, c.condition, c.reading, c.rule, c.threshold) for c in experiment.claims
     ]
-    return hashlib.sha256(repr((said, seeds)).encode()).hexdigest()
+    return hashlib.sha256(repr((stated, seeds)).encode()).hexdigest()
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -4,7 +4,13 @@ import json
 import pytest
 from rich.console import Console
 
-from experiments.bench.measure import Measure, Settings, alternate, exponent
+from experiments.bench.measurement import (
+    Growth,
+    Measurement,
+    Settings,
+    alternate,
+    exponent,
+)
 from experiments.bench.report import tables
 from experiments.commands.benchmarking import measure_all
 
@@ -108,21 +114,21 @@ def test_the_parts_of_a_step_make_up_all_of_it(told):
 
 
 def test_the_table_fits_80_columns_with_every_name_on_a_line_of_its_own(told):
-    fields = ("part", "name", "unit", "values", "x", "at_most", "at_least")
+    fields = ("part", "name", "unit", "values", "at_most", "at_least")
     # As wide as it gets: the longest names, large numbers and a budget missed.
-    longest = Measure(
+    longest = Measurement(
         part="learner's memory against situations visited",
         name="observations, situations, infos",
         unit="kB",
         values=(81_234.0, 91_234.0),
         at_most=1000.0,
     )
-    measures = [Measure(**{f: m[f] for f in fields}) for m in told["measures"]]
+    measurements = [Measurement(**{f: m[f] for f in fields}) for m in told["measures"]]
     console = Console(width=80, file=io.StringIO())
-    console.print(tables([*measures, longest]))
+    console.print(tables([*measurements, longest]))
     lines = console.file.getvalue().splitlines()
     assert max(map(len, lines)) <= 80
-    for each in (*measures, longest):
+    for each in (*measurements, longest):
         assert any(line.startswith(f"  {each.name}  ") for line in lines)
         assert each.part in lines
 
@@ -130,7 +136,13 @@ def test_the_table_fits_80_columns_with_every_name_on_a_line_of_its_own(told):
 def test_what_grows_with_the_pairs_grows_with_the_second_power():
     def found(*times):
         return [
-            Measure(part="p", name=str(n), unit="us", values=(t, 2 * t), x=n)
+            Measurement(
+                part="p",
+                name=str(n),
+                unit="us",
+                values=(t, 2 * t),
+                growth=Growth(what="step", against="people", x=n),
+            )
             for n, t in zip((1, 2, 4, 8), times, strict=True)
         ]
 
@@ -147,7 +159,7 @@ def test_the_growth_is_drawn(measured):
 
 def test_a_budget_holds_up_to_its_bound_and_no_further():
     def holds(value, **bound):
-        return Measure(part="p", name="n", unit="x", values=(value,), **bound).holds
+        return Measurement(part="p", name="n", unit="x", values=(value,), **bound).holds
 
     assert holds(3.0, at_most=3.0)
     assert not holds(3.1, at_most=3.0)
@@ -157,7 +169,7 @@ def test_a_budget_holds_up_to_its_bound_and_no_further():
 
 
 def test_the_median_counts():
-    measure = Measure(part="p", name="n", unit="x", values=(9.0, 1.0, 2.0))
+    measure = Measurement(part="p", name="n", unit="x", values=(9.0, 1.0, 2.0))
     assert measure.median == 2.0
 
 

@@ -1,8 +1,7 @@
-"""Measures: what was found, how often, and what the design demands of it."""
+"""Measurements: what was found, how often, and what the design demands of it."""
 
 from __future__ import annotations
 
-import math
 import statistics
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -13,11 +12,30 @@ import numpy as np
 
 
 @dataclass(frozen=True, kw_only=True)
-class Measure:
+class Growth:
+    """What grows with what: a point of a plot."""
+
+    what: str
+    """What is measured, at the y axis."""
+
+    against: str
+    """What there is more and more of, at the x axis."""
+
+    x: float
+    """How much of it."""
+
+    @property
+    def part(self) -> str:
+        """Name of the table and the plot that it belongs to."""
+        return f"{self.what} against {self.against}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measurement:
     """One quantity, measured several times."""
 
     part: str
-    """What it belongs to: a table of its own, and a plot if it has an `x`."""
+    """What it belongs to: a table of its own, and a plot if it has a `growth`."""
 
     name: str
     """What was measured."""
@@ -28,8 +46,8 @@ class Measure:
     values: tuple[float, ...]
     """One for each repetition."""
 
-    x: float | None = None
-    """What it is plotted against."""
+    growth: Growth | None = None
+    """Where it is plotted."""
 
     at_most: float | None = None
     """The budget, if it is an upper bound."""
@@ -53,9 +71,10 @@ class Measure:
 
     def plain(self) -> dict[str, Any]:
         """Returns everything as plain data, for JSON."""
-        fields = ("part", "name", "unit", "values", "x", "at_most", "at_least")
-        told = {name: getattr(self, name) for name in fields}
-        return told | {"median": self.median, "holds": self.holds}
+        fields = ("part", "name", "unit", "values", "at_most", "at_least")
+        plain = {name: getattr(self, name) for name in fields}
+        x = None if self.growth is None else self.growth.x
+        return plain | {"x": x, "median": self.median, "holds": self.holds}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,7 +86,7 @@ class Settings:
 
     steps: int = 1000
     """Environment steps in a repetition, and as many before the first one: a home keeps
-    the ways that were once searched, and it takes some time until most of them were."""
+    the paths that it has searched, and it takes some time until it has most of them."""
 
     people: tuple[int, ...] = (1, 2, 4, 8, 16, 32, 64)
     """Households to step, with two robots each."""
@@ -139,21 +158,21 @@ def _turn(call: Callable[[], object], calls: int) -> float:
     return time.process_time() - begin
 
 
-def exponent(measures: Sequence[Measure], at_most: float) -> Measure:
+def exponent(measurements: Sequence[Measurement], at_most: float) -> Measurement:
     """Returns with which power of n something grows, in the upper half of its range.
 
     The slope of the logarithm against that of n, fitted in each repetition; the lower
     half says little, as what does not grow at all outweighs the rest there.
 
     Args:
-        measures: At least two, of one part, by growing `x`.
+        measurements: At least two points of one plot, by growing `x`.
         at_most: The power that is allowed.
     """
-    upper = measures[-max(2, (len(measures) + 1) // 2) :]
-    n = np.log([each.x or math.nan for each in upper])
+    upper = measurements[-max(2, (len(measurements) + 1) // 2) :]
+    n = np.log([each.growth.x for each in upper if each.growth])
     slopes = np.polyfit(n, np.log([each.values for each in upper]), 1)[0]
-    return Measure(
-        part=measures[0].part,
+    return Measurement(
+        part=measurements[0].part,
         name="power of n",
         unit="",
         values=tuple(slopes.tolist()),
