@@ -15,7 +15,7 @@ from experiments.paper import EXPERIMENTS
 from experiments.report.format import format_number
 from experiments.report.records import FactorialSummary, SensitivitySummary
 from experiments.running.store import Results
-from experiments.studies import factorial, sensitivity
+from experiments.studies import contrasts, factorial, sensitivity
 from experiments.studies.factorial import Combination
 from experiments.studies.sensitivity import Variant
 
@@ -38,8 +38,8 @@ def summarize_factorial(out: Path) -> tuple[FactorialSummary, ...]:
 
 
 def _factorial(number: int, n_seeds: int, frame: pl.DataFrame) -> FactorialSummary:
-    finding = factorial.FINDINGS[number - 1]
-    silence = factorial.against_silence(number)
+    finding = contrasts.FINDINGS[number - 1]
+    silence = contrasts.against_silence(number)
     return FactorialSummary(
         number=number,
         n_seeds=n_seeds,

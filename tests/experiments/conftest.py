@@ -14,8 +14,11 @@ import numpy as np
 import polars as pl
 import pytest
 
+from experiments.paper import EXPERIMENTS
+from experiments.running.store import Results
 from experiments.running.trial_columns import schema, situation_columns
 from experiments.running.trial_table import TrialTable
+from experiments.studies import factorial, sensitivity
 from household.perception.situation import Situation
 from learners.catalog import make_learner
 from policies.learning import LearningRobot, run_episode
@@ -197,3 +200,51 @@ def table():
         return pl.DataFrame(rows, schema=schema(("bark", "play")), orient="row")
 
     return make
+
+
+@pytest.fixture
+def stored(tmp_path, play_trial):
+    """Directory with the plain run of experiment 1 and its factorial, in a toy home."""
+    plain, combined = EXPERIMENTS[1].study((0, 1)), factorial.study(1, (0, 1))
+    for study in (plain, combined):
+        results = Results(tmp_path / study.name)
+        results.prepare(study, {})
+        for index, trial in enumerate(study.trials()):
+            made = pl.DataFrame({"right": [0.5 + index / 1000], "reward": 1.0})
+            frame = play_trial(trial, 60) if study is plain else made
+            results.write(trial, frame)
+    return tmp_path
+
+
+@pytest.fixture
+def plain_table(stored):
+    """The table of the plain run."""
+    study = EXPERIMENTS[1].study((0, 1))
+    return Results(stored / study.name).read(study)
+
+
+@pytest.fixture
+def variant():
+    """Returns a function that finds a variant of experiment 1."""
+
+    def find(name, direction="up"):
+        every = sensitivity.variants([EXPERIMENTS[1]])
+        return next(
+            one
+            for one in every
+            if one.constant.name == name and one.direction == direction
+        )
+
+    return find
+
+
+@pytest.fixture
+def varied(stored, play_trial, variant):
+    """A variant whose trials are there; the toy home does not change with it."""
+    one = variant("learner: gamma")
+    study = one.study((0, 1))
+    results = Results(stored / study.name)
+    results.prepare(study, {})
+    for trial in study.trials():
+        results.write(trial, play_trial(trial, 60))
+    return one
