@@ -30,9 +30,8 @@ def test_verdicts_of_a_variant_are_kept_until_the_seeds_change(
     stored, varied, plain_table
 ):
     first = sensitivity.holding(varied, plain_table, stored, (0, 1))
-    assert first == sensitivity.holds(
-        EXPERIMENTS[1], plain_table
-    )  # the toy home is the same
+    # The toy home does not change with the constant.
+    assert first == sensitivity.holds(EXPERIMENTS[1], plain_table)
     kept = stored / varied.name / "verdicts.json"
     kept.write_text(kept.read_text().replace("true", "false"))
     assert not any(sensitivity.holding(varied, plain_table, stored, (0, 1)).values())
