@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pettingzoo import ParallelEnv
 
 from household.compiled.arrays import Floats, Singles
-from household.errors import HouseholdError, choose_from
+from household.errors import HouseholdError, choose_from, shown
 from household.feedback import Cause, Feedback
 from household.observation.encodings import ENCODINGS, Features
 from household.people.people import MakeMinds
@@ -71,13 +71,12 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         render_mode: str | None = None,
         **overrides: Any,  # noqa: ANN401 - checked against the scenario's fields
     ) -> None:
-        EzPickle.__init__(
-            self, scenario, make_minds, observation, render_mode, **overrides
-        )
         _check_name(observation, ENCODINGS, "observation")
         if render_mode is not None:
             _check_name(render_mode, self.metadata["render_modes"], "render mode")
         self.scenario = load_scenario(scenario, **overrides)
+        # What was read, not where from: files may change, or be on another machine.
+        EzPickle.__init__(self, self.scenario, make_minds, observation, render_mode)
         self.render_mode = render_mode
         self._screen: Screen | None = None
         self.max_cycles = self.scenario.max_cycles
@@ -100,11 +99,11 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
         """The space of an agent's observations, the same object at each call."""
-        return self.observation_spaces[agent]
+        return self.observation_spaces[self.possible_agents[self._robot(agent)]]
 
     def action_space(self, agent: str) -> spaces.Discrete:
         """The space of an agent's actions, the same object at each call."""
-        return self.action_spaces[agent]
+        return self.action_spaces[self.possible_agents[self._robot(agent)]]
 
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
@@ -118,7 +117,11 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
         Returns:
             Observations and empty infos of all agents.
+
+        Raises:
+            HouseholdError: If the seed is no whole number from 0 up.
         """
+        seed = None if seed is None else _checked_seed(seed)
         self.agents = list(self.possible_agents)
         self.simulation.begin(seed)
         self._show()
@@ -131,16 +134,22 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         perceives; people judge what is new to them and decide what to do next.
 
         Args:
-            actions: The behavior of each robot, by agent; agents that have left are
-                ignored, a robot without an action goes on with what it does.
+            actions: The behavior of each robot, by agent; a robot without an action
+                goes on with what it does.
 
         Returns:
             Observations, rewards, terminations, truncations and infos by agent; all
             empty once the episode is over.
+
+        Raises:
+            HouseholdError: Before the first reset, or if an action is none of the
+                behaviors or an agent none of the robots.
         """
+        self._check_begun()
+        choices = self._choices(actions)
         if not self.agents:
             return {}, {}, {}, {}, {}
-        self.simulation.go_on(self._choices(actions))
+        self.simulation.go_on(choices)
         self._show()
         return self._results()
 
@@ -220,13 +229,24 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """The behavior of each robot, by index.
 
         Raises:
-            HouseholdError: If an action is none of the behaviors.
+            HouseholdError: If these are no actions of our robots.
         """
+        if not isinstance(actions, Mapping):
+            raise HouseholdError(
+                f"actions: {shown(actions)}; allowed: a behavior for each agent, "
+                "as in {'robot_0': 0}"
+            )
         return {
-            self._index[agent]: self._behavior(agent, action)
+            self._robot(agent): self._behavior(agent, action)
             for agent, action in actions.items()
-            if agent in self._index
         }
+
+    def _robot(self, agent: str) -> int:
+        """Index of a robot."""
+        try:
+            return self._index[agent]
+        except (KeyError, TypeError):
+            raise HouseholdError(choose_from(agent, self._index, "agent")) from None
 
     def _behavior(self, agent: str, action: int) -> int:
         """An action as the index of a behavior."""
@@ -236,7 +256,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             behavior = -1
         if not 0 <= behavior < len(self.behaviors):
             raise HouseholdError(
-                f"{agent}: action {action!r} is none of the behaviors; "
+                f"{agent}: action {shown(action)} is none of the behaviors; "
                 f"allowed: 0 to {len(self.behaviors) - 1}"
             )
         return behavior
@@ -286,7 +306,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self._seen()[self._index[agent]]
+        return self._seen()[self._robot(agent)]
 
     def _seen(self) -> tuple[Situation, ...]:
         """The situation as each robot sees it now; read anew in another revision."""
@@ -300,19 +320,19 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def feedback(self, agent: str) -> tuple[Feedback, ...]:
         """The touches that a robot felt in the last step, without their cause."""
-        return self.simulation.robots.feedback[self._index[agent]]
+        return self.simulation.robots.feedback[self._robot(agent)]
 
     def causes(self, agent: str) -> tuple[Cause, ...]:
         """What each touch of the last step was really about; for evaluation only."""
-        return self.simulation.robots.causes[self._index[agent]]
+        return self.simulation.robots.causes[self._robot(agent)]
 
     def behavior(self, agent: str) -> Bout:
         """What a robot is doing, or did last."""
-        return self.simulation.robots.bouts[self._index[agent]]
+        return self.simulation.robots.bouts[self._robot(agent)]
 
     def behavior_over(self, agent: str) -> bool:
         """Whether what a robot was doing is done, so that it can choose anew."""
-        return self.simulation.robots.is_over(self._index[agent], self.time)
+        return self.simulation.robots.is_over(self._robot(agent), self.time)
 
     def attended(self, agent: str) -> bool:
         """Whether any person attends to a robot.
@@ -323,7 +343,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._check_begun()
         n = len(self.simulation.people.everyone)
         attends = self.simulation.senses.relations.attends
-        return True in attends[:n, n + self._index[agent]].tolist()
+        return True in attends[:n, n + self._robot(agent)].tolist()
 
     def appropriateness(self, agent: str) -> Floats:
         """What the people present would think of each behavior now.
@@ -338,7 +358,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self.simulation.appropriateness(self._index[agent])
+        return self.simulation.appropriateness(self._robot(agent))
 
     def opinion(self, agent: str) -> dict[str, int]:
         """Each person's questionnaire answer on a robot, 1 to 10 (paper, 4.1).
@@ -347,7 +367,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             HouseholdError: Before the first reset.
         """
         self._check_begun()
-        return self.simulation.people.opinions(self._index[agent])
+        return self.simulation.people.opinions(self._robot(agent))
 
 
 def _repeated(space: spaces.Box, times: int) -> spaces.Box:
@@ -355,6 +375,19 @@ def _repeated(space: spaces.Box, times: int) -> spaces.Box:
     return spaces.Box(np.tile(space.low, times), np.tile(space.high, times))
 
 
-def _check_name(name: str, allowed: Collection[str], what: str) -> None:
-    if name not in allowed:
+def _checked_seed(seed: object) -> int:
+    """A seed as Python's own number."""
+    try:
+        number = operator.index(seed)  # type: ignore[arg-type]
+    except TypeError:
+        number = -1
+    if number < 0:
+        raise HouseholdError(
+            f"seed: {shown(seed)}; allowed: None or a whole number from 0 up"
+        )
+    return number
+
+
+def _check_name(name: object, allowed: Collection[str], what: str) -> None:
+    if not isinstance(name, str) or name not in allowed:
         raise HouseholdError(choose_from(name, allowed, what))

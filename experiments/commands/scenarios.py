@@ -36,7 +36,7 @@ class Scenarios:
 
         from household.config.toml import shipped
         from household.scenario.family import load_family
-        from household.scenario.scenario import read_scenario
+        from household.scenario.reading import read_scenario
 
         console = new_console()
         table = Table("name", "who", "what", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
@@ -55,10 +55,10 @@ class Scenarios:
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """Check a scenario file and point at every fault in it, or check the suite."""
+    """Check a file of ours and point at every fault in it, or check the suite."""
 
     file: Annotated[Positional[str], arg(metavar="[FILE.toml]")] = ""
-    """A TOML file, or the name of a shipped scenario."""
+    """A scenario, a home, a persona or a family: a TOML file, or a shipped name."""
 
     suite: bool = False
     """Hold every shipped scenario family against the admission rule."""
@@ -86,13 +86,12 @@ class Check:
             raise ExperimentError(faults[-1])
 
     def _faults_of_file(self) -> Sequence[str]:
-        from household.scenario.scenario import read_scenario
-        from household.scenario.validation import check_file
+        from household.scenario.files import check_file, size_of_file
 
         faults = check_file(self.file)
         if not faults:
-            size = _size(read_scenario(self.file))
-            new_console().print(f"{self.file}: correct; {size}.")
+            line = f"{self.file}: correct; {size_of_file(self.file)}."
+            new_console().print(line, markup=False)
         return faults
 
     def _faults_of_suite(self) -> Sequence[str]:

@@ -15,7 +15,8 @@ from experiments.running.study import Condition
 from experiments.running.trial import make_learner_of
 from household.scenario.behavior import Behavior
 from household.scenario.persona import Persona, load_persona
-from household.scenario.scenario import PerceptionModel, read_scenario
+from household.scenario.reading import read_scenario
+from household.scenario.scenario import PerceptionModel
 from learners.components import PARTS, name_of
 
 Keys = tuple[str, ...]

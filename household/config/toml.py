@@ -1,6 +1,8 @@
 """Reading TOML into frozen records, with the path of every error."""
 
 import tomllib
+from collections.abc import Mapping
+from functools import cache, lru_cache
 from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, TypeVar
@@ -8,10 +10,23 @@ from typing import Any, Literal, TypeVar
 import msgspec
 
 from household.config.faults import faults
-from household.errors import HouseholdError, choose_from
+from household.config.quantities import Point
+from household.errors import HouseholdError, choose_from, shown_path
+
+__all__ = [
+    "FOLDERS",
+    "Kind",
+    "Point",
+    "Record",
+    "convert",
+    "load",
+    "locate",
+    "packaged",
+    "read_toml",
+    "shipped",
+]
 
 T = TypeVar("T")
-Point = tuple[float, float]
 
 Kind = Literal["scenario", "persona", "home", "family"]
 
@@ -22,6 +37,16 @@ FOLDERS: dict[Kind, str] = {
     "family": "scenario/families",
 }
 """Where the package keeps what it ships."""
+
+LARGEST = 2**18
+"""Of a file [bytes]: ten times the largest that is shipped."""
+
+MOST_WORK = 10**7
+"""That the keys of a file may make: for its reader it grows with the square of their
+parts, which one line can have thousands of. It is a second."""
+
+DEEPEST = 32
+"""How deeply tables and lists of a file may be nested; ours are by six levels."""
 
 
 class Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -36,14 +61,95 @@ def read_toml(path: Path) -> dict[str, Any]:
     """Reads a TOML file.
 
     Raises:
-        HouseholdError: If the file cannot be read or is not TOML.
+        HouseholdError: If the file cannot be read, is too large or is not TOML.
     """
+    return _parsed(_text(path), shown_path(path))
+
+
+def load(path: Path, kind: type[T]) -> T:
+    """Reads a TOML file into a record, as it is now.
+
+    What was read is remembered by what the file holds, never by its name: somebody may
+    edit it in between.
+
+    Raises:
+        HouseholdError: If the file cannot be read, or names the path inside it.
+    """
+    record: Any = kind  # Type checkers take a class for something unhashable.
+    return _made(_text(path), record, shown_path(path))
+
+
+@lru_cache(maxsize=256)
+def _made(text: str, kind: Any, origin: str) -> Any:  # noqa: ANN401 - see `load`
+    return convert(_parsed(text, origin), kind, origin)
+
+
+def _text(path: Path) -> str:
+    """What a file holds, if it can be a file of ours."""
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)
+        if len(content) <= LARGEST:
+            return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise _not_toml(shown_path(path), str(error)) from None
     except OSError as error:
-        raise HouseholdError(f"{path}: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise HouseholdError(f"{path}: not valid TOML: {error}") from None
+        raise HouseholdError(f"{shown_path(path)}: {error.strerror}") from None
+    except ValueError as error:  # A name that no file can have.
+        raise HouseholdError(f"{shown_path(path)}: {error}") from None
+    raise HouseholdError(f"{shown_path(path)}: larger than {LARGEST} bytes")
+
+
+def _parsed(text: str, origin: str) -> dict[str, Any]:
+    if _work_of_keys(text) > MOST_WORK:
+        raise HouseholdError(f"{origin}: too many dots in a line; allowed: a few")
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_toml(origin, str(error)) from None
+    except ValueError:  # Python's own limit, which it explains to programmers.
+        raise _not_toml(origin, "a number of thousands of digits") from None
+    except RecursionError:
+        raise _too_deep(origin) from None
+    if _is_too_deep(data):
+        raise _too_deep(origin)
+    return data
+
+
+def _work_of_keys(text: str) -> int:
+    """About how much work the keys of a file make; a key has no more parts than dots.
+
+    Those under a header have its parts, too.
+    """
+    work = header = 0
+    for line in text.split("\n"):
+        dots = line.count(".")
+        header = dots if line.lstrip().startswith("[") else header
+        work += dots**2 + header
+    return work
+
+
+def _not_toml(origin: str, why: str) -> HouseholdError:
+    return HouseholdError(f"{origin}: not valid TOML: {why}")
+
+
+def _too_deep(origin: str) -> HouseholdError:
+    return HouseholdError(
+        f"{origin}: nested too deeply; allowed: up to {DEEPEST} levels"
+    )
+
+
+def _is_too_deep(data: object) -> bool:
+    """Whether data is nested beyond the limit; itself without recursion."""
+    level = [data]
+    for _ in range(DEEPEST):
+        level = [
+            inner
+            for outer in level
+            if isinstance(outer, dict | list)
+            for inner in (outer.values() if isinstance(outer, dict) else outer)
+        ]
+    return bool(level)
 
 
 def convert(data: object, kind: type[T], origin: str) -> T:
@@ -62,7 +168,8 @@ def convert(data: object, kind: type[T], origin: str) -> T:
     return msgspec.convert(data, kind)
 
 
-def shipped(kind: Kind) -> dict[str, Path]:
+@cache
+def shipped(kind: Kind) -> Mapping[str, Path]:
     """The TOML files of a kind that the package ships, by name."""
     root = packaged(FOLDERS[kind])
     paths = sorted(root / entry.name for entry in root.iterdir())
@@ -85,9 +192,16 @@ def locate(name: str, kind: Kind) -> Path:
         return files[name]
     if name.endswith(".toml"):
         path = Path(name)
-        if not path.is_file():
-            raise HouseholdError(f"{path}: no such {kind} file")
+        if not _is_file(path):
+            raise HouseholdError(f"{shown_path(path)}: no such {kind} file")
         return path
     raise HouseholdError(
         choose_from(name, files, kind) + " or a path that ends in .toml"
     )
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # Too long a name for this system, or no name at all.
+        return False

@@ -1,20 +1,24 @@
-"""What is wrong with a floor plan that is well-formed: faults of meaning, not of type.
+"""What is wrong with a floor plan: faults of its fields, and of how they fit together.
 
 Every fault is one line "path: what; allowed: what would do", the path being the one
-inside the TOML file.
+inside the TOML file. All are told at once, but for those that follow from another one:
+nobody can walk to a place that lies outdoors.
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
+from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
-from scipy.ndimage import label
 
-from household.compiled.arrays import Floats, Indices, Mask
-from household.config.toml import Point
+from household.config.faults import Fault, Sound, faults
+from household.config.mending import mended
+from household.config.toml import load, read_toml, shipped
 from household.errors import HouseholdError
+from household.home.enclosure import FINE, is_outdoors, middle_of, outdoors, sides_of
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Room, Wall
 from household.home.geometry import distance_to_box, distance_to_segments
 from household.home.navigation.routes import CLEARANCE, routes_of
@@ -25,16 +29,14 @@ LARGEST = 100.0
 SHORTEST = 0.01
 """Shortest wall or door, and nearest thing to look at [m]: a direction needs length."""
 
-FINE = 0.05
-"""Cell [m] of the search for gaps: half the usual wall, so that no wall leaks."""
-
 THICKEST = 0.5
 """Of a wall [m]: an old stone house."""
 
-RIM = 6
-"""Cells round the plan, so that all that is outdoors hangs together."""
+MOST_WALL = 5000.0
+"""Length of all walls together [m]; a villa has 150 m, and time grows with it."""
 
-Named = Sequence[Furniture | Region | Room]
+SPARE = "smart_room"
+"""The shipped home that stands in for what is missing, while the rest is checked."""
 
 
 def checked(plan: FloorPlan, origin: str) -> FloorPlan:
@@ -47,13 +49,12 @@ def checked(plan: FloorPlan, origin: str) -> FloorPlan:
     Raises:
         HouseholdError: Names the file and the first fault, in one line.
     """
-    faults = problems(plan)
-    if faults:
-        raise HouseholdError(f"{origin}: {faults[0]}")
+    found = problems(plan)
+    if found:
+        raise HouseholdError(f"{origin}: {found[0]}")
     return plan
 
 
-@lru_cache(maxsize=64)
 def problems(plan: FloorPlan) -> tuple[str, ...]:
     """Every fault of a floor plan, in the order in which to mend them.
 
@@ -63,35 +64,68 @@ def problems(plan: FloorPlan) -> tuple[str, ...]:
     Returns:
         One line per fault, "path: what; allowed: what would do"; empty if none.
     """
-    for stage in STAGES:
-        faults = tuple(fault for check in stage for fault in check(plan))
-        if faults:
-            return faults
-    return ()
+    return tuple(str(fault) for fault in plan_faults(plan))
 
 
-def _numbers(plan: FloorPlan) -> Iterator[str]:
-    """TOML knows nan and inf, geometry does not."""
-    for path, value in _leaves(msgspec.to_builtins(plan), ""):
-        if isinstance(value, float) and not abs(value) <= 1e6:
-            yield f"{path}: {value} is not a length or an angle; allowed: finite values"
+@lru_cache(maxsize=64)
+def plan_faults(plan: FloorPlan) -> tuple[Fault, ...]:
+    """The same with their paths."""
+    return tuple(home_faults(msgspec.to_builtins(plan)))
 
 
-def _leaves(data: object, path: str) -> Iterator[tuple[str, object]]:
-    """Every value inside nested plain data, with its path."""
-    if isinstance(data, dict):
-        for name, value in data.items():
-            yield from _leaves(value, f"{path}.{name}" if path else str(name))
-    elif isinstance(data, list | tuple):
-        for i, value in enumerate(data):
-            yield from _leaves(value, f"{path}[{i}]")
-    else:
-        yield path, data
+def file_faults(path: Path) -> tuple[Fault, ...]:
+    """Every fault of a home's file.
+
+    Raises:
+        HouseholdError: If the file cannot be read.
+    """
+    try:
+        return plan_faults(load(path, FloorPlan))
+    except HouseholdError:  # If not by a field, then it cannot be read here either.
+        return tuple(home_faults(read_toml(path)))
 
 
-def _names(plan: FloorPlan) -> Iterator[str]:
+def home_faults(data: dict[str, Any]) -> Iterator[Fault]:
+    """Every fault of a home as it stands in a file.
+
+    Args:
+        data: What the file holds.
+
+    Yields:
+        First what is wrong with single fields, then how the sound ones fit together.
+    """
+    wrong = tuple(faults(data, FloorPlan))
+    yield from wrong
+    yield from home_misfits(data, wrong)
+
+
+def home_misfits(data: dict[str, Any], wrong: Sequence[Fault]) -> Iterator[Fault]:
+    """How the parts of a home do not fit together.
+
+    Args:
+        data: What the file holds.
+        wrong: Faults of single fields; nothing is said about those.
+    """
+    if wrong:
+        data = mended(data, FloorPlan, read_toml(shipped("home")[SPARE]))
+    yield from _misfits(msgspec.convert(data, FloorPlan), Sound(wrong))
+
+
+def _misfits(plan: FloorPlan, sound: Sound) -> Iterator[Fault]:
+    """How the parts of a plan do not fit together."""
+    yield from _names(plan, sound)
+    yield from _lengths(plan, sound)
+    yield from _directions(plan, sound)
+    sizes = tuple(_sizes(plan, sound))
+    yield from sizes
+    if sound("walls", "doors", "furniture", "wall_thickness") and not sizes:
+        places = [i for i in range(len(plan.regions)) if sound(f"regions[{i}]")]
+        yield from _ground(plan, places)
+
+
+def _names(plan: FloorPlan, sound: Sound) -> Iterator[Fault]:
     """Things are told apart by their names."""
-    kinds: dict[str, Named] = {
+    kinds: dict[str, Sequence[Furniture | Region | Room]] = {
         "rooms": plan.rooms,
         "furniture": plan.furniture,
         "regions": plan.regions,
@@ -99,45 +133,84 @@ def _names(plan: FloorPlan) -> Iterator[str]:
     for kind, things in kinds.items():
         first: dict[str, int] = {}
         for i, thing in enumerate(things):
+            if not sound(f"{kind}[{i}].name"):
+                continue
             j = first.setdefault(thing.name, i)
             if j != i:
-                yield (
-                    f"{kind}[{i}].name: {thing.name!r} is also {kind}[{j}]; "
-                    "allowed: a name of its own"
+                yield Fault(
+                    f"{kind}[{i}].name",
+                    f"{thing.name!r} is also {kind}[{j}]; allowed: a name of its own",
                 )
 
 
-def _lengths(plan: FloorPlan) -> Iterator[str]:
-    """Walls and doors have a length, looks a direction, and a home a sensible size."""
+def _lengths(plan: FloorPlan, sound: Sound) -> Iterator[Fault]:
+    """Walls and doors have a length."""
     parts: dict[str, Sequence[Wall | Door]] = {"walls": plan.walls, "doors": plan.doors}
     for kind, lines in parts.items():
         for i, line in enumerate(lines):
-            if math.dist(line.start, line.end) < SHORTEST:
-                yield f"{kind}[{i}]: has no length; allowed: two different points"
+            if sound(f"{kind}[{i}]") and _is_a_point(line):
+                yield Fault(
+                    f"{kind}[{i}]", "has no length; allowed: two different points"
+                )
+
+
+def _is_a_point(line: Wall | Door) -> bool:
+    return math.dist(line.start, line.end) < SHORTEST
+
+
+def _directions(plan: FloorPlan, sound: Sound) -> Iterator[Fault]:
+    """Looks have a direction."""
     for i, region in enumerate(plan.regions):
-        if math.dist(region.center, region.facing) < SHORTEST:
-            yield (
-                f"regions[{i}].facing: is the center itself; "
-                "allowed: a point to look at"
+        here = f"regions[{i}]."
+        near = math.dist(region.center, region.facing) < SHORTEST
+        if near and sound(here + "center", here + "facing"):
+            yield Fault(
+                here + "facing", "is the center itself; allowed: a point to look at"
             )
-    if plan.wall_thickness > THICKEST:
-        yield f"wall_thickness: {plan.wall_thickness} m; allowed: at most {THICKEST} m"
+
+
+def _sizes(plan: FloorPlan, sound: Sound) -> Iterator[Fault]:
+    """A home is of a sensible size."""
+    if plan.wall_thickness > THICKEST and sound("wall_thickness"):
+        yield Fault(
+            "wall_thickness", f"{plan.wall_thickness} m; allowed: at most {THICKEST} m"
+        )
     side = float((plan.upper - plan.lower).max())
-    if not 1.0 <= side <= LARGEST:
-        yield f"walls: {side:.4g} m from end to end; allowed: 1 m to {LARGEST:.0f} m"
+    if not 1.0 <= side <= LARGEST and sound("walls", "doors"):
+        yield Fault(
+            "walls",
+            f"{side:.4g} m from end to end; allowed: 1 m to {LARGEST:.0f} m",
+        )
+    x1, y1, x2, y2 = plan.wall_segments.T
+    total = float(np.hypot(x2 - x1, y2 - y1).sum())
+    if total > MOST_WALL and sound("walls", "doors"):
+        yield Fault("walls", f"{total:.4g} m in all; allowed: up to {MOST_WALL:.0f} m")
 
 
-def _centers(plan: FloorPlan) -> Iterator[str]:
-    """A person's body fits where its activity is."""
-    for i, region in enumerate(plan.regions):
-        fault = _fault_at(plan, region.center)
-        if fault:
-            yield f"regions[{i}].center: {region.name!r} is {fault}"
+def _ground(plan: FloorPlan, places: list[int]) -> Iterator[Fault]:
+    """What people meet with who walk through a home.
+
+    Args:
+        plan: Of a sensible size, with sound walls, doors and furniture.
+        places: The regions that are sound.
+    """
+    covered = {i: why for i in places if (why := _fault_at(plan, i))}
+    for i, why in covered.items():
+        region = plan.regions[i]
+        yield Fault(f"regions[{i}].center", f"{region.name!r} is {why}")
+    yield from _doors(plan)
+    places = [i for i in places if i not in covered]
+    open_air = outdoors(plan, plan.wall_segments)
+    leaks = [i for i in places if is_outdoors(plan, open_air, plan.regions[i].center)]
+    if leaks:
+        yield from _leaks(plan, leaks)
+    yield from _ways(plan, [i for i in places if i not in leaks])
+    yield from _circles(plan, places)
 
 
-def _fault_at(plan: FloorPlan, point: Point) -> str:
-    """Why nobody can stand at a point, or nothing."""
-    spot = np.array([point])
+def _fault_at(plan: FloorPlan, place: int) -> str:
+    """Why nobody can stand at the center of a region, or nothing."""
+    spot = np.array([plan.regions[place].center])
     if (spot[0] < plan.lower).any() or (spot[0] > plan.upper).any():
         return "outside the plan; allowed: a place within the walls"
     for box in plan.furniture:
@@ -151,118 +224,84 @@ def _fault_at(plan: FloorPlan, point: Point) -> str:
     return ""
 
 
-def _doors(plan: FloorPlan) -> Iterator[str]:
+def _doors(plan: FloorPlan) -> Iterator[Fault]:
     """A door that stands open lets people through."""
     narrowest = 2 * CLEARANCE + plan.wall_thickness
     walls = np.array([(*wall.start, *wall.end) for wall in plan.walls])
     for i, door in enumerate(plan.doors):
-        if not door.open:
+        if not door.open or _is_a_point(door):
             continue
         width = math.dist(door.start, door.end)
         if width < narrowest:
-            yield (
-                f"doors[{i}]: {width:.2f} m wide, nobody fits through; "
-                f"allowed: at least {narrowest:.2f} m, or open = false"
+            yield Fault(
+                f"doors[{i}]",
+                f"{width:.2f} m wide, nobody fits through; "
+                f"allowed: at least {narrowest:.2f} m, or open = false",
             )
-        gaps = distance_to_segments(np.array([_middle(door)]), walls)[0]
+        gaps = distance_to_segments(np.array([middle_of(door)]), walls)[0]
         if gaps.min() < FINE:
-            yield (
-                f"doors[{i}]: walls[{gaps.argmin()}] runs across it; "
-                "allowed: a gap between walls"
+            yield Fault(
+                f"doors[{i}]",
+                f"walls[{gaps.argmin()}] runs across it; allowed: a gap between walls",
             )
 
 
-def _middle(door: Door) -> Point:
-    return (door.start[0] + door.end[0]) / 2, (door.start[1] + door.end[1]) / 2
-
-
-def _closed(plan: FloorPlan) -> Iterator[str]:
-    """Walls and closed doors keep the people in."""
-    outdoors = _outdoors(plan, plan.wall_segments)
-    leaks = [i for i, r in enumerate(plan.regions) if _at(plan, outdoors, r.center)]
-    if not leaks:
-        return
-    shut = [(*door.start, *door.end) for door in plan.doors if door.open]
-    sealed = _outdoors(plan, np.vstack([plan.wall_segments, *shut]))
+def _leaks(plan: FloorPlan, leaks: list[int]) -> Iterator[Fault]:
+    """Walls and closed doors keep the people in, but not these ones."""
+    shut = [(*d.start, *d.end) for d in plan.doors if d.open and not _is_a_point(d)]
+    walls = [plan.wall_segments, *np.array(shut)[:, None]] if shut else None
+    sealed = outdoors(plan, np.vstack(walls) if walls else plan.wall_segments)
     for i, door in enumerate(plan.doors):
-        if door.open and any(_at(plan, sealed, side) for side in _sides(plan, door)):
-            yield f"doors[{i}].open: true, but it leads outdoors; allowed: false"
+        if not door.open or _is_a_point(door):
+            continue
+        if any(is_outdoors(plan, sealed, side) for side in sides_of(plan, door)):
+            yield Fault(
+                f"doors[{i}].open", "true, but it leads outdoors; allowed: false"
+            )
     for i in leaks:
-        if _at(plan, sealed, plan.regions[i].center):
-            yield (
-                f"regions[{i}].center: {plan.regions[i].name!r} is outdoors, or the "
-                "walls have a gap; allowed: a place that walls and closed doors enclose"
+        region = plan.regions[i]
+        if is_outdoors(plan, sealed, region.center):
+            yield Fault(
+                f"regions[{i}].center",
+                f"{region.name!r} is outdoors, or the walls have a gap; "
+                "allowed: a place that walls and closed doors enclose",
             )
 
 
-def _sides(plan: FloorPlan, door: Door) -> tuple[Point, Point]:
-    """A point just off either face of a door's leaf [m]."""
-    (x, y), width = _middle(door), math.dist(door.start, door.end)
-    reach = (plan.wall_thickness / 2 + 4 * FINE) / width
-    dx = (door.start[1] - door.end[1]) * reach
-    dy = (door.end[0] - door.start[0]) * reach
-    return (x + dx, y + dy), (x - dx, y - dy)
-
-
-def _outdoors(plan: FloorPlan, segments: Floats) -> Mask:
-    """Marks the cells of a fine grid that can be reached from outside the walls."""
-    reach = max(plan.wall_thickness / 2, FINE)
-    edge = int(reach / FINE) + 2
-    last = _cell(plan, plan.upper)
-    open_ = np.ones((last[0] + RIM + 1, last[1] + RIM + 1), dtype=np.bool_)
-    for row in segments:
-        low = np.maximum(_cell(plan, np.minimum(row[:2], row[2:])) - edge, 0)
-        high = _cell(plan, np.maximum(row[:2], row[2:])) + edge + 1
-        near = open_[low[0] : high[0], low[1] : high[1]]
-        points = np.indices(near.shape).reshape(2, -1).T + low
-        middles = plan.lower + (points - RIM + 0.5) * FINE
-        gaps = distance_to_segments(middles, row[None])
-        near &= (gaps > reach).reshape(near.shape)
-    parts, _ = label(open_)
-    outdoors: Mask = parts == parts[0, 0]
-    return outdoors
-
-
-def _cell(plan: FloorPlan, point: Floats) -> Indices:
-    """Indices of the fine cell that holds a point."""
-    cell: Indices = np.floor((point - plan.lower) / FINE).astype(int) + RIM
-    return cell
-
-
-def _at(plan: FloorPlan, outdoors: Mask, point: Point) -> bool:
-    """Whether a point is outdoors."""
-    cell = np.clip(_cell(plan, np.array(point)), 0, np.array(outdoors.shape) - 1)
-    return bool(outdoors[tuple(cell)])
-
-
-def _ways(plan: FloorPlan) -> Iterator[str]:
+def _ways(plan: FloorPlan, places: list[int]) -> Iterator[Fault]:
     """Every activity can be walked to from the entrance."""
-    enters = (r for r in plan.regions if r.activity == "entering")
-    entrance = next(enters, plan.regions[0])
-    routes, start = routes_of(plan), np.array(entrance.center)
-    for i, region in enumerate(plan.regions):
-        if not routes.connects(start, np.array(region.center)):
-            yield (
-                f"regions[{i}] {region.name!r}: unreachable from region "
-                f"{entrance.name!r}; allowed: a place that people can walk to"
-            )
+    enters = [i for i in places if plan.regions[i].activity == "entering"]
+    for entrance in (enters or places)[:1]:
+        routes, start = routes_of(plan), plan.regions[entrance]
+        for i in places:
+            region = plan.regions[i]
+            if not routes.connects(np.array(start.center), np.array(region.center)):
+                yield Fault(
+                    f"regions[{i}].center",
+                    f"{region.name!r} is unreachable from region {start.name!r}; "
+                    "allowed: a place that people can walk to",
+                )
 
 
-def _circles(plan: FloorPlan) -> Iterator[str]:
+def _circles(plan: FloorPlan, places: list[int]) -> Iterator[Fault]:
     """No place belongs to two activities, none to one that goes on behind a wall."""
-    for i, region in enumerate(plan.regions):
-        for j, other in enumerate(plan.regions[:i]):
+    for at, i in enumerate(places):
+        region, here = plan.regions[i], f"regions[{i}].radius"
+        for j in places[:at]:
+            other = plan.regions[j]
             room = math.dist(region.center, other.center) - other.radius
             if region.activity != other.activity and region.radius > room + 1e-9:
-                yield (
-                    f"regions[{i}].radius: {region.radius} m reaches into regions[{j}] "
-                    f"{other.name!r}; allowed: circles of different activities apart"
+                yield Fault(
+                    here,
+                    f"{region.radius} m reaches into regions[{j}] {other.name!r}; "
+                    "allowed: circles of different activities apart",
                 )
         limit = _reach(plan, region)
         if region.radius > limit:
-            yield (
-                f"regions[{i}].radius: {region.radius} m takes in people behind a "
-                f"wall; allowed: at most {limit:.2f} m"
+            yield Fault(
+                here,
+                f"{region.radius} m takes in people behind a wall; "
+                f"allowed: at most {limit:.2f} m",
             )
 
 
@@ -271,15 +310,3 @@ def _reach(plan: FloorPlan, region: Region) -> float:
     center = np.array([region.center])
     gap = float(distance_to_segments(center, plan.wall_segments).min())
     return gap + plan.wall_thickness / 2 + CLEARANCE
-
-
-Check = Callable[[FloorPlan], Iterator[str]]
-
-STAGES: tuple[tuple[Check, ...], ...] = (
-    (_numbers,),
-    (_names, _lengths),
-    (_centers, _doors),
-    (_closed,),
-    (_ways, _circles),
-)
-"""A stage is worth running only where the ones before it found nothing."""

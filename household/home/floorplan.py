@@ -7,7 +7,6 @@ in the code, counter-clockwise from the x axis.
 
 import math
 from collections.abc import Iterable
-from functools import lru_cache
 from typing import Annotated, Literal
 
 import msgspec
@@ -15,12 +14,23 @@ import numpy as np
 
 from household.activity import Activity, activity_of
 from household.compiled.arrays import Floats
-from household.config.toml import Point, Record, convert, locate, read_toml
+from household.config.quantities import Angle, Length, Name, Point, Text
+from household.config.toml import Record, load, locate
 
-Positive = Annotated[float, msgspec.Meta(gt=0)]
 RegionActivity = Literal[
     "working", "reading", "sleeping", "playing", "entering", "calling"
 ]
+
+Size = Annotated[float, msgspec.Meta(ge=0.01, le=10)]
+"""Of a piece of furniture [m]: engines cannot turn what has no size."""
+
+MOST_WALLS, MOST_OTHERS = 1000, 500
+"""In one home; of doors, furniture, regions and rooms, so many each."""
+
+FEW = msgspec.Meta(max_length=MOST_OTHERS)
+
+MOST_CORNERS = 500
+"""Of one room."""
 
 ON_THE_LINE = 1e-9
 """A point lies on a line if it makes a parallelogram of this area with it [m2]."""
@@ -55,10 +65,10 @@ class Furniture(Record, frozen=True, kw_only=True):
         tall: Hides what is behind it from view; low furniture does not.
     """
 
-    name: str
+    name: Name
     center: Point
-    size: tuple[Positive, Positive]
-    angle: float = 0.0
+    size: tuple[Size, Size]
+    angle: Angle = 0.0
     tall: bool = False
 
     @property
@@ -87,10 +97,10 @@ class Region(Record, frozen=True, kw_only=True):
         facing: What one looks at while absorbed here, a point [m].
     """
 
-    name: str
+    name: Name
     activity: RegionActivity
     center: Point
-    radius: Positive = 0.6
+    radius: Length = 0.6
     facing: Point
 
     @property
@@ -106,8 +116,10 @@ class Room(Record, frozen=True, kw_only=True):
         corners: Outline [m], in order.
     """
 
-    name: str
-    corners: Annotated[tuple[Point, ...], msgspec.Meta(min_length=3)]
+    name: Name
+    corners: Annotated[
+        tuple[Point, ...], msgspec.Meta(min_length=3, max_length=MOST_CORNERS)
+    ]
 
 
 class FloorPlan(Record, frozen=True, kw_only=True):
@@ -119,14 +131,18 @@ class FloorPlan(Record, frozen=True, kw_only=True):
         wall_thickness: Of every wall [m].
     """
 
-    name: str
-    description: str = ""
-    wall_thickness: Positive = 0.1
-    walls: Annotated[tuple[Wall, ...], msgspec.Meta(min_length=3)]
-    doors: tuple[Door, ...] = ()
-    furniture: tuple[Furniture, ...] = ()
-    regions: Annotated[tuple[Region, ...], msgspec.Meta(min_length=1)]
-    rooms: tuple[Room, ...] = ()
+    name: Name
+    description: Text = ""
+    wall_thickness: Annotated[float, msgspec.Meta(ge=0.001)] = 0.1
+    walls: Annotated[
+        tuple[Wall, ...], msgspec.Meta(min_length=3, max_length=MOST_WALLS)
+    ]
+    doors: Annotated[tuple[Door, ...], FEW] = ()
+    furniture: Annotated[tuple[Furniture, ...], FEW] = ()
+    regions: Annotated[
+        tuple[Region, ...], msgspec.Meta(min_length=1, max_length=MOST_OTHERS)
+    ]
+    rooms: Annotated[tuple[Room, ...], FEW] = ()
 
     @property
     def lower(self) -> Floats:
@@ -206,12 +222,10 @@ def _sides(boxes: Iterable[Furniture]) -> Floats:
     return np.array(sides, dtype=np.float64).reshape(-1, 4)
 
 
-@lru_cache(maxsize=64)
 def load_floorplan(name: str) -> FloorPlan:
-    """Reads a shipped home by name, or a TOML file by path.
+    """Reads a shipped home by name, or a TOML file by path, as it is now.
 
     Raises:
         HouseholdError: If it cannot be found or a field is wrong.
     """
-    path = locate(name, "home")
-    return convert(read_toml(path), FloorPlan, str(path))
+    return load(locate(name, "home"), FloorPlan)

@@ -4,6 +4,7 @@ from household.scenario.behavior import Behavior
 from household.scenario.norms import Norm, Norms
 from household.scenario.persona import Persona
 from household.scenario.population import Population
+from household.scenario.reading import read_scenario
 from household.scenario.scenario import (
     PerceptionModel,
     PersonSpec,
@@ -13,7 +14,6 @@ from household.scenario.scenario import (
     SituationModel,
     Slots,
     Stay,
-    read_scenario,
 )
 from household.scenario.validation import load_scenario
 

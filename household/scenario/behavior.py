@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from household.config.toml import Record, convert, packaged, read_toml
+from household.config.quantities import Seconds, Text
+from household.config.toml import Record, load, packaged
 
 Motion = Literal["still", "spin", "wander", "follow", "retreat", "fetch"]
 
@@ -20,8 +21,8 @@ class Behavior(Record, frozen=True, kw_only=True):
         motion: What the body does meanwhile.
     """
 
-    description: str
-    duration: Annotated[float, msgspec.Meta(gt=0)]
+    description: Text
+    duration: Seconds
     loudness: Annotated[float, msgspec.Meta(ge=0, le=120)] = 0.0
     salience: Annotated[float, msgspec.Meta(gt=0, le=10)] = 1.0
     motion: Motion = "still"
@@ -30,5 +31,4 @@ class Behavior(Record, frozen=True, kw_only=True):
 @lru_cache(maxsize=1)
 def catalogue() -> dict[str, Behavior]:
     """The behaviors that ship with the package, by name."""
-    path = packaged("scenario/behaviors.toml")
-    return convert(read_toml(path), dict[str, Behavior], str(path))
+    return load(packaged("scenario/behaviors.toml"), dict[str, Behavior])

@@ -7,21 +7,30 @@ changes (the splits of a generalization study). Nobody is placed by hand: people
 in the first place of their schedule, robots in the open, away from doors and places.
 """
 
+from collections.abc import Iterator
 from functools import lru_cache
-from typing import Annotated
+from typing import Annotated, Any, get_args
 
 import msgspec
 import numpy as np
 
-from household.config.toml import Record, convert, locate, read_toml
+from household.config.faults import Fault, Sound, faults, joined
+from household.config.mending import mended
+from household.config.quantities import Count, FileName, Name, Seed, Share, Text
+from household.config.toml import Record, convert, load, locate, read_toml, shipped
 from household.errors import HouseholdError
 from household.home.floorplan import FloorPlan
-from household.home.sources.generator import generate
+from household.home.sources.generator import MOST_ROOMS, generate
 from household.home.standing import standing_room
 from household.scenario.behavior import Behavior
+from household.scenario.fit import behaviors_faults, first_spots, schedule_faults
 from household.scenario.norms import ActivityName, Norms
+from household.scenario.persona import load_persona
 from household.scenario.population import Population
 from household.scenario.scenario import (
+    FEW,
+    MOST_BEHAVIORS,
+    MOST_LINES,
     PersonSpec,
     RobotSpec,
     Scenario,
@@ -29,13 +38,17 @@ from household.scenario.scenario import (
     Slots,
     Stay,
 )
-from household.scenario.validation import first_spots
-
-Count = Annotated[int, msgspec.Meta(ge=1)]
-Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
 
 MOST_PEOPLE, MOST_ROBOTS = 12, 4
 """In the households of a family: what one home has room for."""
+
+Rooms = Annotated[int, msgspec.Meta(ge=1, le=MOST_ROOMS)]
+Area = Annotated[float, msgspec.Meta(ge=10, le=40)]
+People = Annotated[int, msgspec.Meta(ge=1, le=MOST_PEOPLE)]
+Robots = Annotated[int, msgspec.Meta(ge=1, le=MOST_ROBOTS)]
+
+SPARE = "phone"
+"""The shipped family that stands in for what is missing, while the rest is checked."""
 
 HOME, PEOPLE, ROLES, ROBOTS = range(4)
 """What is drawn; each from a stream of its own."""
@@ -48,6 +61,19 @@ NAMES = (
 from other seeds never share a name."""
 
 
+# So that it can be a part of the names of its households.
+FamilyName = Annotated[
+    str,
+    msgspec.Meta(
+        pattern=r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]+\Z",
+        max_length=60,
+        description="1 to 60 characters on one line",
+    ),
+]
+
+SOME = msgspec.Meta(min_length=1, max_length=MOST_LINES)
+
+
 class HomeKind(Record, frozen=True, kw_only=True):
     """The homes of a family.
 
@@ -58,8 +84,8 @@ class HomeKind(Record, frozen=True, kw_only=True):
         loops: Chance of a door between two rooms that are joined already.
     """
 
-    rooms: tuple[Count, Count] = (4, 8)
-    room_area: tuple[float, float] = (12.0, 18.0)
+    rooms: tuple[Rooms, Rooms] = (4, 8)
+    room_area: tuple[Area, Area] = (12.0, 18.0)
     clutter: Share = 0.8
     loops: Share = 0.3
 
@@ -92,16 +118,18 @@ class Family(Record, frozen=True, kw_only=True):
         max_cycles: Decisions in an episode.
     """
 
-    name: str
-    demand: str
-    description: str = ""
+    name: FamilyName
+    demand: Text
+    description: Text = ""
     home: HomeKind = HomeKind()
-    people: tuple[Count, Count] = (2, 6)
-    robots: tuple[Count, Count] = (1, 1)
-    personas: Annotated[tuple[str, ...], msgspec.Meta(min_length=1)]
-    residents: Annotated[tuple[Resident, ...], msgspec.Meta(min_length=1)]
-    behaviors: Annotated[tuple[str, ...], msgspec.Meta(min_length=2)]
-    behavior: dict[str, Behavior] = msgspec.field(default_factory=dict)
+    people: tuple[People, People] = (2, 6)
+    robots: tuple[Robots, Robots] = (1, 1)
+    personas: Annotated[tuple[FileName, ...], SOME]
+    residents: Annotated[tuple[Resident, ...], SOME]
+    behaviors: Annotated[
+        tuple[Name, ...], msgspec.Meta(min_length=2, max_length=MOST_BEHAVIORS)
+    ]
+    behavior: Annotated[dict[Name, Behavior], FEW] = msgspec.field(default_factory=dict)
     norms: Norms
     heterogeneity: Share = 0.3
     situation: SituationModel = SituationModel()
@@ -121,24 +149,68 @@ class Draw(Record, frozen=True, kw_only=True):
         heterogeneity: How far people depart from the norms.
     """
 
-    seed: Annotated[int, msgspec.Meta(ge=0)] = 0
-    home: Annotated[int, msgspec.Meta(ge=0)] | None = None
-    people: Annotated[int, msgspec.Meta(ge=0)] | None = None
-    roles: Annotated[int, msgspec.Meta(ge=0)] | None = None
-    n_people: Annotated[int, msgspec.Meta(ge=1, le=MOST_PEOPLE)] | None = None
-    n_robots: Annotated[int, msgspec.Meta(ge=1, le=MOST_ROBOTS)] | None = None
+    seed: Seed = 0
+    home: Seed | None = None
+    people: Seed | None = None
+    roles: Seed | None = None
+    n_people: People | None = None
+    n_robots: Robots | None = None
     heterogeneity: Share | None = None
 
 
-@lru_cache(maxsize=64)
 def load_family(name: str) -> Family:
-    """Reads a shipped family by name, or a TOML file by path.
+    """Reads a shipped family by name, or a TOML file by path, as it is now.
 
     Raises:
-        HouseholdError: If it cannot be found or a field is wrong.
+        HouseholdError: If it cannot be found or anything is wrong with it.
     """
     path = locate(name, "family")
-    return convert(read_toml(path), Family, str(path))
+    family = load(path, Family)
+    for fault in _misfits(family, Sound()):
+        raise HouseholdError(f"{name}: {fault}")
+    return family
+
+
+def family_faults(data: dict[str, Any]) -> Iterator[Fault]:
+    """Everything that is wrong with a family as it stands in a file.
+
+    Args:
+        data: What the file holds.
+
+    Yields:
+        First what is wrong with single fields, then how the sound ones fit together.
+    """
+    wrong = tuple(faults(data, Family))
+    yield from wrong
+    if wrong:
+        data = mended(data, Family, read_toml(shipped("family")[SPARE]))
+    yield from _misfits(msgspec.convert(data, Family), Sound(wrong))
+
+
+def _misfits(family: Family, sound: Sound) -> Iterator[Fault]:
+    """How the fields of a family do not fit together."""
+    ranges: dict[str, tuple[float, float]] = {
+        "home.rooms": family.home.rooms,
+        "home.room_area": family.home.room_area,
+        "people": family.people,
+        "robots": family.robots,
+    }
+    for where, (least, most) in ranges.items():
+        if least > most and sound(where):
+            yield Fault(where, "the least comes first, then the most")
+    for index, name in enumerate(family.personas):
+        try:
+            load_persona(name)
+        except HouseholdError as error:
+            if sound(f"personas[{index}]"):
+                yield Fault(f"personas[{index}]", str(error))
+    yield from behaviors_faults(family, sound)
+    for index, resident in enumerate(family.residents):
+        at = f"residents[{index}].schedule"
+        every = get_args(ActivityName)
+        for fault in schedule_faults(resident.schedule, every, sound.stands(at)):
+            if sound(joined(at, fault.path)):
+                yield fault.under(at)
 
 
 def draw(family: Family | str, choice: Draw | int = 0) -> Scenario:

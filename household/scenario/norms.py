@@ -13,7 +13,7 @@ import numpy as np
 
 from household.activity import Activity, activity_of
 from household.compiled.arrays import Floats
-from household.config.toml import Record, convert, packaged, read_toml
+from household.config.toml import Record, load, packaged
 
 Value = Annotated[float, msgspec.Meta(ge=-1, le=1)]
 ActivityName = Literal[
@@ -39,8 +39,7 @@ Norms = dict[ActivityName, Norm]
 @lru_cache(maxsize=1)
 def household_norms() -> Norms:
     """The norms that ship with the package."""
-    path = packaged("scenario/norms.toml")
-    return convert(read_toml(path), Norms, str(path))
+    return load(packaged("scenario/norms.toml"), Norms)
 
 
 def norm_table(

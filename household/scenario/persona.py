@@ -1,15 +1,12 @@
 """Personas: the kinds of people that a household can hold."""
 
-from functools import lru_cache
 from typing import Annotated
 
 import msgspec
 
-from household.config.toml import Record, convert, locate, read_toml
+from household.config.quantities import Name, Seconds, Share, Text
+from household.config.toml import Record, load, locate
 from household.scenario.norms import Norms
-
-Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
-Positive = Annotated[float, msgspec.Meta(gt=0)]
 
 
 class Persona(Record, frozen=True, kw_only=True):
@@ -55,39 +52,37 @@ class Persona(Record, frozen=True, kw_only=True):
             norms; tells as far as the scenario's heterogeneity lets it.
     """
 
-    name: str
-    description: str = ""
-    walking_speed: Positive = 1.2
+    name: Name
+    description: Text = ""
+    walking_speed: Annotated[float, msgspec.Meta(gt=0, le=3)] = 1.2
     field_of_view: Annotated[float, msgspec.Meta(gt=0, le=360)] = 120.0
-    head_speed: Positive = 180.0
-    absorption: Positive = 0.3
+    head_speed: Annotated[float, msgspec.Meta(gt=0, le=3600)] = 180.0
+    absorption: Annotated[float, msgspec.Meta(ge=0.001, le=100)] = 0.3
     praise: Share = 0.5
     sanction: Share = 0.9
     habituation: Share = 0.15
-    recovery: Positive = 120.0
+    recovery: Seconds = 120.0
     contrast: Share = 0.5
     tolerance: Share = 0.1
-    patience: Positive = 20.0
+    patience: Seconds = 20.0
     mistakes: Share = 0.0
     only_when_attending: bool = False
     irritability: Share = 0.3
     mood_change: Share = 0.2
-    mood_recovery: Positive = 300.0
+    mood_recovery: Seconds = 300.0
     robot_interest: Share = 0.2
     people_interest: Share = 0.2
-    gaze_dwell: Positive = 4.0
+    gaze_dwell: Seconds = 4.0
     reflex: Share = 0.3
-    wakes_at: Positive = 55.0
-    awake_for: Positive = 20.0
+    wakes_at: Annotated[float, msgspec.Meta(gt=0, le=200)] = 55.0
+    awake_for: Seconds = 20.0
     preferences: Norms = msgspec.field(default_factory=dict)
 
 
-@lru_cache(maxsize=64)
 def load_persona(name: str) -> Persona:
-    """Reads a shipped persona by name, or a TOML file by path.
+    """Reads a shipped persona by name, or a TOML file by path, as it is now.
 
     Raises:
         HouseholdError: If it cannot be found or a field is wrong.
     """
-    path = locate(name, "persona")
-    return convert(read_toml(path), Persona, str(path))
+    return load(locate(name, "persona"), Persona)

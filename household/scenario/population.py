@@ -12,9 +12,10 @@ import msgspec
 import numpy as np
 
 from household.compiled.arrays import Floats
+from household.config.quantities import Seed, Share
 from household.config.toml import Record
 from household.scenario.norms import norm_table
-from household.scenario.persona import Persona, Share
+from household.scenario.persona import Persona
 
 SPREAD = 0.3
 """Standard deviation of the logarithm of a trait at full heterogeneity: two people in
@@ -37,8 +38,8 @@ class Population(Record, frozen=True, kw_only=True):
             and what is missing to 1 becomes touches of the wrong kind, half of it.
     """
 
-    seed: Annotated[int, msgspec.Meta(ge=0)] = 0
-    clusters: Annotated[int, msgspec.Meta(ge=1)] = 4
+    seed: Seed = 0
+    clusters: Annotated[int, msgspec.Meta(ge=1, le=1000)] = 4
     clusteredness: Share = 0.0
     reliability: Share = 1.0
 

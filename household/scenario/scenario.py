@@ -1,24 +1,52 @@
 """Scenarios: who lives where, with which robots, as frozen records read from TOML."""
 
-from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import msgspec
 
-from household.config.faults import faults
-from household.config.toml import Point, Record, convert, locate, read_toml
+from household.config.quantities import (
+    Angle,
+    Count,
+    FileName,
+    Length,
+    Name,
+    Point,
+    Seconds,
+    Share,
+    Text,
+)
+from household.config.toml import Record
 from household.home.floorplan import FloorPlan, load_floorplan
 from household.scenario.behavior import Behavior, catalogue
 from household.scenario.norms import Norms, household_norms
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population, individual
 
-Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-Range = tuple[Positive, Positive]
+Range = tuple[Seconds, Seconds]
 
-MOST_PEOPLE = 64
+MOST_PEOPLE, MOST_ROBOTS = 64, 16
 """In one household; robots perceive all of them at once."""
+
+MOST_BEHAVIORS = 64
+"""That robots choose from; learners keep numbers for each in each situation."""
+
+MOST_LINES = 500
+"""Of a script, and places of a schedule."""
+
+PersonName = Annotated[
+    str,
+    msgspec.Meta(
+        pattern=r"^[a-z][a-z0-9_]{0,49}\Z",
+        description="a letter, then up to 49 of a-z, 0-9 and _",
+    ),
+]
+
+FEW = msgspec.Meta(max_length=MOST_LINES)
+
+Weight = Annotated[float, msgspec.Meta(ge=0, le=1e6)]
+Weights = Annotated[
+    dict[Name, Weight], msgspec.Meta(min_length=1, max_length=MOST_LINES)
+]
 
 
 class ScriptStep(Record, frozen=True, kw_only=True):
@@ -38,7 +66,7 @@ class ScriptStep(Record, frozen=True, kw_only=True):
 
     place: str
     duration: Range | None = None
-    until: Positive | None = None
+    until: Seconds | None = None
     look_at: str | None = None
     look_for: Range | None = None
     look_away: Range = (10.0, 30.0)
@@ -53,9 +81,7 @@ class Stay(Record, frozen=True, kw_only=True):
     """
 
     duration: Range
-    then: Annotated[
-        dict[str, Annotated[float, msgspec.Meta(ge=0)]], msgspec.Meta(min_length=1)
-    ]
+    then: Weights
 
 
 class PersonSpec(Record, frozen=True, kw_only=True):
@@ -72,11 +98,11 @@ class PersonSpec(Record, frozen=True, kw_only=True):
             as far as the home has places for it.
     """
 
-    name: Annotated[str, msgspec.Meta(pattern="^[a-z][a-z0-9_]*$")]
-    persona: str | Persona = "easygoing"
+    name: PersonName
+    persona: FileName | Persona = "easygoing"
     start: Point | None = None
-    script: tuple[ScriptStep, ...] = ()
-    schedule: dict[str, Stay] = msgspec.field(default_factory=dict)
+    script: Annotated[tuple[ScriptStep, ...], FEW] = ()
+    schedule: Annotated[dict[Name, Stay], FEW] = msgspec.field(default_factory=dict)
 
 
 class RobotSpec(Record, frozen=True, kw_only=True):
@@ -88,7 +114,7 @@ class RobotSpec(Record, frozen=True, kw_only=True):
     """
 
     position: Point
-    heading: float = 0.0
+    heading: Angle = 0.0
 
 
 class SituationModel(Record, frozen=True, kw_only=True):
@@ -105,7 +131,7 @@ class SituationModel(Record, frozen=True, kw_only=True):
     """
 
     attention: Literal["none", "robot", "all"] = "robot"
-    near: Positive | None = None
+    near: Length | None = None
     hears: Annotated[float, msgspec.Meta(gt=0, le=120)] | None = None
 
 
@@ -122,12 +148,12 @@ class PerceptionModel(Record, frozen=True, kw_only=True):
         mood_noise: Standard deviation with which a robot misreads a mood.
     """
 
-    focus: Annotated[float, msgspec.Meta(gt=0, le=180)] = 30.0
-    distance: Positive = 3.0
+    focus: Annotated[float, msgspec.Meta(ge=1, le=180)] = 30.0
+    distance: Annotated[float, msgspec.Meta(ge=0.01, le=100)] = 3.0
     attend_above: Share = 0.4
     attend_below: Share = 0.25
-    wall_loss: Annotated[float, msgspec.Meta(ge=0)] = 25.0
-    mood_noise: Annotated[float, msgspec.Meta(ge=0)] = 0.2
+    wall_loss: Annotated[float, msgspec.Meta(ge=0, le=200)] = 25.0
+    mood_noise: Annotated[float, msgspec.Meta(ge=0, le=10)] = 0.2
 
 
 class Slots(Record, frozen=True, kw_only=True):
@@ -139,7 +165,7 @@ class Slots(Record, frozen=True, kw_only=True):
     """
 
     people: Annotated[int, msgspec.Meta(ge=1, le=MOST_PEOPLE)] | None = None
-    robots: Annotated[int, msgspec.Meta(ge=1, le=16)] | None = None
+    robots: Annotated[int, msgspec.Meta(ge=1, le=MOST_ROBOTS)] | None = None
 
 
 class Scenario(Record, frozen=True, kw_only=True):
@@ -160,19 +186,23 @@ class Scenario(Record, frozen=True, kw_only=True):
         population: Draws in what people depart from the norms.
     """
 
-    name: str
-    description: str = ""
-    home: str | FloorPlan = "smart_room"
-    max_cycles: Annotated[int, msgspec.Meta(ge=1)] = 1000
-    decision_period: Positive = 1.0
-    steering_period: Positive = 0.2
-    physics_period: Positive = 0.1
-    behaviors: Annotated[tuple[str, ...], msgspec.Meta(min_length=2)]
-    behavior: dict[str, Behavior] = msgspec.field(default_factory=dict)
+    name: Name
+    description: Text = ""
+    home: FileName | FloorPlan = "smart_room"
+    max_cycles: Count = 1000
+    decision_period: Annotated[float, msgspec.Meta(ge=0.01, le=60)] = 1.0
+    steering_period: Annotated[float, msgspec.Meta(ge=0.01, le=1)] = 0.2
+    physics_period: Annotated[float, msgspec.Meta(ge=0.001, le=0.5)] = 0.1
+    behaviors: Annotated[
+        tuple[Name, ...], msgspec.Meta(min_length=2, max_length=MOST_BEHAVIORS)
+    ]
+    behavior: Annotated[dict[Name, Behavior], FEW] = msgspec.field(default_factory=dict)
     people: Annotated[
         tuple[PersonSpec, ...], msgspec.Meta(min_length=1, max_length=MOST_PEOPLE)
     ]
-    robots: Annotated[tuple[RobotSpec, ...], msgspec.Meta(min_length=1, max_length=16)]
+    robots: Annotated[
+        tuple[RobotSpec, ...], msgspec.Meta(min_length=1, max_length=MOST_ROBOTS)
+    ]
     norms: Norms | None = None
     heterogeneity: Share = 0.0
     population: Population = Population()
@@ -190,7 +220,7 @@ class Scenario(Record, frozen=True, kw_only=True):
     def personas(self) -> tuple[Persona, ...]:
         """Each person's persona with its individual traits, in order."""
         return tuple(
-            individual(_persona(spec), self.population, self.heterogeneity, index)
+            individual(persona_of(spec), self.population, self.heterogeneity, index)
             for index, spec in enumerate(self.people)
         )
 
@@ -216,58 +246,7 @@ class Scenario(Record, frozen=True, kw_only=True):
         return household_norms() if self.norms is None else self.norms
 
 
-def _persona(spec: PersonSpec) -> Persona:
+def persona_of(spec: PersonSpec) -> Persona:
     """The persona that a person is made after."""
     named = spec.persona
     return named if isinstance(named, Persona) else load_persona(named)
-
-
-def read_scenario(scenario: str | Path | Scenario, **overrides: object) -> Scenario:
-    """A scenario, each of its fields checked, but not yet how they fit together.
-
-    Args:
-        scenario: A built-in name, a path to a TOML file, or a scenario.
-        **overrides: Top-level fields to replace.
-
-    Raises:
-        HouseholdError: Names the file, the path inside it and what is allowed.
-    """
-    fields: dict[str, Any]
-    if isinstance(scenario, Scenario):
-        origin, fields = scenario.name, msgspec.structs.asdict(scenario)
-    else:
-        path = locate(str(scenario), "scenario")
-        origin, fields = str(path), _from_its_folder(read_toml(path), path.parent)
-    # As plain data, so that overrides are checked like what stands in a file.
-    return convert(msgspec.to_builtins(fields | overrides), Scenario, origin)
-
-
-def _from_its_folder(fields: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Files that a scenario names are sought from where its own file lies."""
-
-    def placed(name: object) -> object:
-        is_file = isinstance(name, str) and name.endswith(".toml")
-        return str(folder / str(name)) if is_file else name
-
-    for record, field in ((fields, "home"), *((p, "persona") for p in _people(fields))):
-        if field in record:
-            record[field] = placed(record[field])
-    return fields
-
-
-def _people(fields: dict[str, Any]) -> list[dict[str, Any]]:
-    """The tables of people, where the file has them in the right form."""
-    people = fields.get("people")
-    return (
-        [p for p in people if isinstance(p, dict)] if isinstance(people, list) else []
-    )
-
-
-def wrong_fields(scenario: str | Path) -> tuple[str, ...]:
-    """Every field of a scenario's file that is wrong by itself, one line each.
-
-    Raises:
-        HouseholdError: If the file cannot be read.
-    """
-    path = locate(str(scenario), "scenario")
-    return tuple(faults(read_toml(path), Scenario))

@@ -19,6 +19,7 @@ from pettingzoo.test import (
 from pettingzoo.test.state_test import state_test
 
 from household import household_v0
+from household.config.toml import shipped
 from household.errors import HouseholdError
 
 ALLOWED_INFOS = {"situation", "feedback", "caresses", "taps"}
@@ -188,16 +189,6 @@ def test_a_step_after_the_end_returns_empty_dictionaries_and_changes_nothing(
     assert same(env.state(), before)
 
 
-def test_actions_of_agents_that_are_not_there_are_ignored(make, same):
-    one, other = make(), make()
-    for env in (one, other):
-        env.reset(seed=3)
-    for _ in range(CYCLES):
-        actions = dict.fromkeys(one.agents, 0)
-        plain = one.step(actions)
-        assert same(other.step({**actions, "robot_99": 1, "stranger": 7}), plain)
-
-
 def test_actions_may_be_of_any_integer_type(make, same):
     one, other = make(), make()
     for env in (one, other):
@@ -279,6 +270,32 @@ def test_a_pickled_environment_is_made_anew_and_goes_on_from_its_moment(make, sa
     assert same(copy.reset(seed=4), env.reset(seed=4))
 
 
+def test_a_pickled_environment_needs_none_of_the_files_that_it_was_made_of(
+    tmp_path, same
+):
+    (tmp_path / "here.toml").write_text(shipped("home")["smart_room"].read_text())
+    text = shipped("scenario")["experiment_1"].read_text()
+    assert 'home = "smart_room"' in text
+    path = tmp_path / "mine.toml"
+    path.write_text(text.replace('"smart_room"', '"here.toml"'))
+    env = household_v0.parallel_env(path, max_cycles=CYCLES)
+    pickled, first = pickle.dumps(env), env.reset(seed=4)
+    for file in tmp_path.iterdir():
+        file.unlink()
+    assert same(pickle.loads(pickled).reset(seed=4), first)
+    assert same(env.reset(seed=4), first)
+
+
+def test_overrides_may_be_arrays_and_numbers_of_theirs():
+    env = household_v0.parallel_env(
+        max_cycles=np.int64(7),
+        decision_period=np.float32(1.0),
+        robots=[{"position": np.array([2.6, 2.6])}],
+    )
+    assert env.max_cycles == 7
+    assert env.scenario.robots[0].position == (2.6, 2.6)
+
+
 def test_a_pickled_environment_keeps_a_scenario_of_its_own_and_all_overrides(
     household_of, same
 ):
@@ -315,12 +332,68 @@ def test_what_evaluation_reads_stays_in_its_range(make):
             assert all(1 <= x <= 10 for x in env.opinion(agent).values())
 
 
-@pytest.mark.parametrize("action", [-1, 2, 0.0, "sleep", None])
+@pytest.mark.parametrize("action", [-1, 2, 0.0, "sleep", None, 2**70, "x" * 5000])
 def test_an_action_that_is_no_behavior_is_refused_in_one_line(action):
     env = household_v0.parallel_env()
     env.reset(seed=1)
     with pytest.raises(HouseholdError, match=r"robot_0: .*allowed: 0 to 1$"):
         env.step({"robot_0": action})
+
+
+@pytest.mark.parametrize("actions", [None, 0, [0], "robot_0", "x" * 5000])
+def test_actions_that_are_no_mapping_are_refused_in_one_line(actions):
+    env = household_v0.parallel_env()
+    env.reset(seed=1)
+    with pytest.raises(HouseholdError, match=r"^actions: .*allowed: a behavior for"):
+        env.step(actions)
+
+
+@pytest.mark.parametrize("agent", ["robot0", "robot_1", None, ("robot_0",), []])
+def test_an_agent_that_is_no_robot_is_refused_with_the_nearest_name(agent):
+    env = household_v0.parallel_env()
+    env.reset(seed=1)
+    with pytest.raises(HouseholdError, match=r"^unknown agent .*\(allowed: robot_0\)$"):
+        env.situation(agent)
+    with pytest.raises(HouseholdError, match="unknown agent"):
+        env.observation_space(agent)
+    if not isinstance(agent, list):
+        with pytest.raises(HouseholdError, match="unknown agent"):
+            env.step({agent: 0})
+
+
+def test_refused_actions_leave_the_household_as_it_was(same):
+    one, other = household_v0.parallel_env(), household_v0.parallel_env()
+    for env in (one, other):
+        env.reset(seed=1)
+    for wrong in (None, {"robot_0": 7}, {"robot0": 0}, {"robot_0": 0, "robot_1": 0}):
+        with pytest.raises(HouseholdError):
+            one.step(wrong)
+    for _ in range(CYCLES):
+        assert same(one.step({"robot_0": 0}), other.step({"robot_0": 0}))
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "a", "1", b"1", [1], 2.0, float("nan")])
+def test_a_seed_that_is_no_whole_number_from_0_up_is_refused_in_one_line(seed):
+    env = household_v0.parallel_env()
+    with pytest.raises(
+        HouseholdError, match=r"^seed: .*allowed: None or a whole number"
+    ):
+        env.reset(seed=seed)
+    with pytest.raises(HouseholdError, match=r"^nobody is at home yet"):
+        env.state()
+
+
+def test_a_seed_may_be_any_whole_number_from_0_up(same):
+    one, other = household_v0.parallel_env(), household_v0.parallel_env()
+    for seed in (0, 7, 2**63, 2**200):
+        assert same(one.reset(seed=seed), other.reset(seed=seed))
+    assert same(one.reset(seed=np.int64(7)), other.reset(seed=np.uint8(7)))
+
+
+def test_a_step_before_the_first_reset_says_what_to_do():
+    env = household_v0.parallel_env()
+    with pytest.raises(HouseholdError, match=r"^nobody is at home yet: .*reset\(\)"):
+        env.step({"robot_0": 0})
 
 
 @pytest.mark.parametrize(
@@ -351,6 +424,13 @@ def test_what_is_not_there_before_the_first_reset_says_what_to_do(ask):
         ({"max_cycle": 3}, "did you mean 'max_cycles'"),
         ({"max_cycles": 0}, "max_cycles"),
         ({"behaviors": ["bark", "plya"]}, "did you mean 'play'"),
+        ({"observation": []}, "unknown observation []"),
+        ({"render_mode": 3}, "unknown render mode 3"),
+        ({"scenario": None}, "unknown scenario 'None'"),
+        ({"scenario": "x" * 5000}, "unknown scenario 'xxx"),
+        ({"max_cycles": object()}, "max_cycles: <object"),
+        ({"max_cycles": np.float64(3)}, "max_cycles: Expected `int`"),
+        ({"behaviors": 10**5000}, "behaviors: Expected `array`"),
     ],
 )
 def test_a_wrong_argument_is_answered_by_one_line_with_a_hint(arguments, hint):

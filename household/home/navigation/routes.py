@@ -5,7 +5,7 @@ is a grid; shortest paths on it are made straight wherever the straight line is 
 """
 
 from collections.abc import Callable
-from functools import cached_property, lru_cache, reduce
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from household.compiled.arrays import Floats, Mask
 from household.compiled.jit import bind
 from household.config.toml import Point
 from household.home.floorplan import FloorPlan
-from household.home.geometry import distance_to_box, distance_to_segments
+from household.home.navigation.cells import mark_near_box, mark_near_segment
 from household.home.navigation.grid import CELL, Grid, cell_of
 from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
 from household.home.navigation.search import empty_cache
@@ -42,16 +42,13 @@ class Routes:
 
     def _clear_of(self, plan: FloorPlan) -> Mask:
         """Marks the cells whose center clears walls and furniture."""
-        centers = self.centers()
-        # One wall at a time: a large home has too many cells to hold them all.
-        gaps = (distance_to_segments(centers, w[None]) for w in plan.wall_segments)
-        gap = reduce(np.minimum, gaps)[:, 0]
-        free = gap > plan.wall_thickness / 2 + CLEARANCE
+        solid = np.zeros(self._shape, np.bool_)
+        for wall in plan.wall_segments:
+            reach = plan.wall_thickness / 2 + CLEARANCE
+            mark_near_segment(solid, self._origin, CELL, wall, reach)
         for box in plan.furniture:
-            free &= distance_to_box(centers, box.center, box.size, box.angle) > (
-                CLEARANCE
-            )
-        return free.reshape(self._shape)
+            mark_near_box(solid, self._origin, CELL, box, CLEARANCE)
+        return ~solid
 
     def centers(self) -> Floats:
         """Middles of all cells [m], shape (n_cells, 2), in the order of ``free``."""

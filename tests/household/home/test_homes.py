@@ -41,7 +41,12 @@ def changed(plan: FloorPlan, field: str, i: int, **changes: object) -> FloorPlan
             "regions[1].center: 'sofa' is covered b",
         ),
         ("regions", 1, {"center": (0.2, 2.0)}, "regions[1].center: 'sofa' is where no"),
-        ("regions", 1, {"center": (math.nan, 2.0)}, "regions[1].center[0]: nan is not"),
+        (
+            "regions",
+            1,
+            {"center": (math.nan, 2.0)},
+            "regions[1].center[0]: nan; allowed",
+        ),
         (
             "regions",
             3,
@@ -79,8 +84,8 @@ def test_a_region_that_nobody_can_walk_to_is_a_fault(smart_room):
     wall = Wall(start=(6.1, 0.0), end=(6.1, 5.0))
     split = msgspec.structs.replace(smart_room, walls=(*smart_room.walls, wall))
     assert [line.partition(";")[0] for line in problems(split)] == [
-        "regions[3] 'desk': unreachable from region 'entrance'",
-        "regions[4] 'phone': unreachable from region 'entrance'",
+        "regions[3].center: 'desk' is unreachable from region 'entrance'",
+        "regions[4].center: 'phone' is unreachable from region 'entrance'",
     ]
 
 

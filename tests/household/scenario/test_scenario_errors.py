@@ -7,7 +7,8 @@ import pytest
 
 from household.config.toml import shipped
 from household.errors import HouseholdError
-from household.scenario.validation import check_file, load_scenario
+from household.scenario.files import check_file
+from household.scenario.validation import load_scenario
 
 GOOD = """
 name = "mine"
@@ -356,7 +357,7 @@ HOME_FAULTS = {
     "gap in the wall": ("to = [0.0, 0.0]", "to = [0.0, 2.0]", "[0]"),
     "misspelt activity": ('activity = "playing"', 'activity = "plying"', "'playing'"),
     "misspelt field of a wall": ("from = [4.0, 4.0]", "form = [4.0, 4.0]", "'from'"),
-    "furniture without size": ("size = [0.6, 0.6]", "size = [0.6, 0.0]", "> 0"),
+    "furniture without size": ("size = [0.6, 0.6]", "size = [0.6, 0.0]", ">= 0.01"),
 }
 
 
