@@ -129,7 +129,7 @@ def _own_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
             text = choose_from(data, _literals_in(kind), "value")
         elif "matching regex" in text and (allowed := _description_in(kind)):
             text = f"{shown(data)}; allowed: {allowed}"
-        yield Fault(path + where.rstrip("`"), text.replace("`object`", "`table`"))
+        yield Fault(path + where.rstrip("`"), text)
 
 
 def joined(path: str, name: object) -> str:

@@ -12,8 +12,8 @@ from msgspec import Meta
 Coordinate = Annotated[float, Meta(ge=-1e4, le=1e4)]
 """[m]; the origin of a plan may lie far away from the home."""
 
-Point = tuple[Coordinate, Coordinate]
-"""[m]"""
+Position = tuple[Coordinate, Coordinate]
+"""A `Point` as files hold it [m]."""
 
 Length = Annotated[float, Meta(gt=0, le=1e4)]
 """[m]"""

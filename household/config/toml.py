@@ -10,23 +10,10 @@ from typing import Any, Literal, TypeVar
 import msgspec
 
 from household.config.faults import faults
-from household.config.quantities import Point
 from household.errors import HouseholdError, choose_from, shown_path
 
-__all__ = [
-    "FOLDERS",
-    "Kind",
-    "Point",
-    "Record",
-    "convert",
-    "load",
-    "locate",
-    "packaged",
-    "read_toml",
-    "shipped",
-]
-
 T = TypeVar("T")
+Point = tuple[float, float]
 
 Kind = Literal["scenario", "persona", "home", "family"]
 
@@ -84,20 +71,30 @@ def _made(text: str, kind: Any, origin: str) -> Any:  # noqa: ANN401 - see `load
     return convert(_parsed(text, origin), kind, origin)
 
 
-def _text(path: Path) -> str:
-    """What a file holds, if it can be a file of ours."""
+def read_file(path: Path) -> bytes:
+    """What a file holds, if it can be a file of ours.
+
+    Raises:
+        HouseholdError: If the file cannot be read or is too large.
+    """
+    origin = shown_path(path)
     try:
         with path.open("rb") as file:
             content = file.read(LARGEST + 1)
-        if len(content) <= LARGEST:
-            return content.decode("utf-8-sig")
+    except OSError as error:
+        raise HouseholdError(f"{origin}: {error.strerror}") from None
+    except ValueError as error:  # A name that no file can have.
+        raise HouseholdError(f"{origin}: {error}") from None
+    if len(content) > LARGEST:
+        raise HouseholdError(f"{origin}: larger than {LARGEST} bytes")
+    return content
+
+
+def _text(path: Path) -> str:
+    try:
+        return read_file(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise _not_toml(shown_path(path), str(error)) from None
-    except OSError as error:
-        raise HouseholdError(f"{shown_path(path)}: {error.strerror}") from None
-    except ValueError as error:  # A name that no file can have.
-        raise HouseholdError(f"{shown_path(path)}: {error}") from None
-    raise HouseholdError(f"{shown_path(path)}: larger than {LARGEST} bytes")
 
 
 def _parsed(text: str, origin: str) -> dict[str, Any]:

@@ -14,8 +14,8 @@ import numpy as np
 
 from household.activity import Activity, activity_of
 from household.compiled.arrays import Floats
-from household.config.quantities import Angle, Length, Name, Point, Text
-from household.config.toml import Record, load, locate
+from household.config.quantities import Angle, Length, Name, Position, Text
+from household.config.toml import Point, Record, load, locate
 
 RegionActivity = Literal[
     "working", "reading", "sleeping", "playing", "entering", "calling"
@@ -39,8 +39,8 @@ ON_THE_LINE = 1e-9
 class Wall(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "to"}):
     """A straight wall from one point to another [m]."""
 
-    start: Point
-    end: Point
+    start: Position
+    end: Position
 
 
 class Door(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "to"}):
@@ -50,8 +50,8 @@ class Door(Record, frozen=True, kw_only=True, rename={"start": "from", "end": "t
         open: People walk and look through an open door.
     """
 
-    start: Point
-    end: Point
+    start: Position
+    end: Position
     open: bool = True
 
 
@@ -66,7 +66,7 @@ class Furniture(Record, frozen=True, kw_only=True):
     """
 
     name: Name
-    center: Point
+    center: Position
     size: tuple[Size, Size]
     angle: Angle = 0.0
     tall: bool = False
@@ -99,9 +99,9 @@ class Region(Record, frozen=True, kw_only=True):
 
     name: Name
     activity: RegionActivity
-    center: Point
+    center: Position
     radius: Length = 0.6
-    facing: Point
+    facing: Position
 
     @property
     def role(self) -> Activity:
@@ -118,7 +118,7 @@ class Room(Record, frozen=True, kw_only=True):
 
     name: Name
     corners: Annotated[
-        tuple[Point, ...], msgspec.Meta(min_length=3, max_length=MOST_CORNERS)
+        tuple[Position, ...], msgspec.Meta(min_length=3, max_length=MOST_CORNERS)
     ]
 
 

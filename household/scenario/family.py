@@ -19,7 +19,7 @@ from household.config.mending import mended
 from household.config.quantities import Count, FileName, Name, Seed, Share, Text
 from household.config.toml import Record, convert, load, locate, read_toml, shipped
 from household.errors import HouseholdError
-from household.home.floorplan import FloorPlan
+from household.home.floorplan import FloorPlan, RegionActivity
 from household.home.sources.generator import MOST_ROOMS, generate
 from household.home.standing import standing_room
 from household.scenario.behavior import Behavior
@@ -198,19 +198,26 @@ def _misfits(family: Family, sound: Sound) -> Iterator[Fault]:
     for where, (least, most) in ranges.items():
         if least > most and sound(where):
             yield Fault(where, "the least comes first, then the most")
+    yield from _personas(family, sound)
+    yield from behaviors_faults(family, sound)
+    every = get_args(RegionActivity)  # Drawn homes have places for all of them.
+    for index, resident in enumerate(family.residents):
+        at, schedule = (
+            f"residents[{index}].schedule",
+            {str(place): stay for place, stay in resident.schedule.items()},
+        )
+        for fault in schedule_faults(schedule, every, sound.stands(at)):
+            if sound(joined(at, fault.path)):
+                yield fault.under(at)
+
+
+def _personas(family: Family, sound: Sound) -> Iterator[Fault]:
     for index, name in enumerate(family.personas):
         try:
             load_persona(name)
         except HouseholdError as error:
             if sound(f"personas[{index}]"):
                 yield Fault(f"personas[{index}]", str(error))
-    yield from behaviors_faults(family, sound)
-    for index, resident in enumerate(family.residents):
-        at = f"residents[{index}].schedule"
-        every = get_args(ActivityName)
-        for fault in schedule_faults(resident.schedule, every, sound.stands(at)):
-            if sound(joined(at, fault.path)):
-                yield fault.under(at)
 
 
 def draw(family: Family | str, choice: Draw | int = 0) -> Scenario:

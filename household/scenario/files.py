@@ -71,10 +71,9 @@ def _size_of_persona(persona: Persona) -> str:
 
 
 def _size_of_family(family: Family) -> str:
-    people, robots = family.people, family.robots
-    return (
-        f"a family: {people[0]} to {people[1]} people, {robots[0]} to {robots[1]} robots"
-    )
+    least, most = family.people
+    people = f"{least} to {_many(most, 'person', 'people')}"
+    return f"a family: {people}, up to {_many(family.robots[1], 'robot')}"
 
 
 def _many(n: int, one: str, many: str = "") -> str:

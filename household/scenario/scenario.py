@@ -10,7 +10,7 @@ from household.config.quantities import (
     FileName,
     Length,
     Name,
-    Point,
+    Position,
     Seconds,
     Share,
     Text,
@@ -100,7 +100,7 @@ class PersonSpec(Record, frozen=True, kw_only=True):
 
     name: PersonName
     persona: FileName | Persona = "easygoing"
-    start: Point | None = None
+    start: Position | None = None
     script: Annotated[tuple[ScriptStep, ...], FEW] = ()
     schedule: Annotated[dict[Name, Stay], FEW] = msgspec.field(default_factory=dict)
 
@@ -113,7 +113,7 @@ class RobotSpec(Record, frozen=True, kw_only=True):
         heading: Where it faces at first [degrees].
     """
 
-    position: Point
+    position: Position
     heading: Angle = 0.0
 
 

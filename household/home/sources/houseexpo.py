@@ -14,8 +14,8 @@ import msgspec
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.config.toml import Point, convert
-from household.errors import HouseholdError
+from household.config.toml import Point, convert, read_file
+from household.errors import HouseholdError, shown_path
 from household.home.check import LARGEST, checked
 from household.home.floorplan import FloorPlan, Region, Room, Wall
 from household.home.geometry import distance_to_segments
@@ -55,17 +55,18 @@ def load_houseexpo(path: Path | str) -> FloorPlan:
         HouseholdError: If the file cannot be read, is damaged, or has no room for all
             six activities; one line that names the file and the place in it.
     """
+    origin = shown_path(path)
     try:
-        data = msgspec.json.decode(Path(path).read_bytes())
-    except OSError as error:
-        raise HouseholdError(f"{path}: {error.strerror}") from None
+        data = msgspec.json.decode(read_file(Path(path)))
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise HouseholdError(f"{path}: not valid JSON: {error}") from None
+        raise HouseholdError(f"{origin}: not valid JSON: {error}") from None
+    except RecursionError:
+        raise HouseholdError(f"{origin}: nested too deeply") from None
     if isinstance(data, dict):
         # The rest of a file follows from these fields, or is not ours to judge.
         names = House.__struct_fields__
         data = {name: value for name, value in data.items() if name in names}
-    return from_houseexpo(convert(data, House, str(path)), str(path))
+    return from_houseexpo(convert(data, House, origin), origin)
 
 
 def from_houseexpo(house: House, origin: str) -> FloorPlan:

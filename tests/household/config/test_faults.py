@@ -56,7 +56,7 @@ class Room(Record, frozen=True, kw_only=True):
             ],
         ),
         ({"name": "hall", "lamps": "many"}, ["lamps: Expected `array`, got `str`"]),
-        ("hall", ["Expected `table`, got `str`"]),
+        ("hall", ["Expected `object`, got `str`"]),
     ],
 )
 def test_every_fault_is_told_with_its_path_and_what_is_allowed(data, told):

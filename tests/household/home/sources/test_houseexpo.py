@@ -121,10 +121,7 @@ def test_an_imported_home_can_be_kept_as_toml(flat, tmp_path):
         ({"verts": [[0, 0], [4, 0], [4]]}, "verts[2]: Expected `array` of length 2"),
         ({"verts": [[0, 0], [4, 4], [8, 8]]}, "verts: encloses nothing"),
         ({"verts": [[0, 0], [900, 0], [900, 700]]}, "verts: 900 m x 700 m is no home"),
-        (
-            {"verts": [[0, 0], [1e200, 0], [4, 4]]},
-            "verts[1][0]: Expected `float` <= 10000",
-        ),
+        ({"verts": [[0, 0], [1e200, 0], [4, 4]]}, "verts: 1e+200 m x 4 m is no home"),
         ({"verts": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "verts: no free place for "),
         (
             {"room_category": {"Bedroom": [[0, 1]]}},
@@ -142,7 +139,18 @@ def test_a_damaged_file_is_refused_in_one_line(written, changes, message):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("content", [b"", b'{"id": "half', b"\xff\xfe", b"[1, 2]"])
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b'{"id": "half',
+        b"\xff\xfe",
+        b"[1, 2]",
+        b"[" * 10_000,
+        b"1" * 5000,
+        b" " * 2**20,
+    ],
+)
 def test_a_file_that_is_no_object_is_refused_in_one_line(tmp_path, content):
     path = tmp_path / "broken.json"
     path.write_bytes(content)
