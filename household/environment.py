@@ -1,7 +1,6 @@
 """The household as a PettingZoo environment."""
 
-import operator
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -11,8 +10,9 @@ from gymnasium.utils import EzPickle
 from numpy.typing import NDArray
 from pettingzoo import ParallelEnv
 
+from household.arguments import check_name, checked_choices, checked_seed, robot_index
 from household.compiled.arrays import Floats, Singles
-from household.errors import HouseholdError, choose_from, shown
+from household.errors import HouseholdError
 from household.feedback import Cause, Feedback
 from household.observation.encodings import ENCODINGS, Features
 from household.people.people import MakeMinds
@@ -71,9 +71,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         render_mode: str | None = None,
         **overrides: Any,  # noqa: ANN401 - checked against the scenario's fields
     ) -> None:
-        _check_name(observation, ENCODINGS, "observation")
+        check_name(observation, ENCODINGS, "observation")
         if render_mode is not None:
-            _check_name(render_mode, self.metadata["render_modes"], "render mode")
+            check_name(render_mode, self.metadata["render_modes"], "render mode")
         self.scenario = load_scenario(scenario, **overrides)
         # What was read, not where from: files may change, or be on another machine.
         EzPickle.__init__(self, self.scenario, make_minds, observation, render_mode)
@@ -121,9 +121,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         Raises:
             HouseholdError: If the seed is no whole number from 0 up.
         """
-        seed = None if seed is None else _checked_seed(seed)
+        checked = checked_seed(seed)
         self.agents = list(self.possible_agents)
-        self.simulation.begin(seed)
+        self.simulation.begin(checked)
         self._show()
         return self._observations(), {agent: {} for agent in self.agents}
 
@@ -146,7 +146,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
                 behaviors or an agent none of the robots.
         """
         self._check_begun()
-        choices = self._choices(actions)
+        choices = checked_choices(actions, self._index, len(self.behaviors))
         if not self.agents:
             return {}, {}, {}, {}, {}
         self.simulation.go_on(choices)
@@ -225,41 +225,9 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """Steps since the beginning of the episode."""
         return self.simulation.decision
 
-    def _choices(self, actions: Mapping[str, int]) -> dict[int, int]:
-        """The behavior of each robot, by index.
-
-        Raises:
-            HouseholdError: If these are no actions of our robots.
-        """
-        if not isinstance(actions, Mapping):
-            raise HouseholdError(
-                f"actions: {shown(actions)}; allowed: a behavior for each agent, "
-                "as in {'robot_0': 0}"
-            )
-        return {
-            self._robot(agent): self._behavior(agent, action)
-            for agent, action in actions.items()
-        }
-
     def _robot(self, agent: str) -> int:
         """Index of a robot."""
-        try:
-            return self._index[agent]
-        except (KeyError, TypeError):
-            raise HouseholdError(choose_from(agent, self._index, "agent")) from None
-
-    def _behavior(self, agent: str, action: int) -> int:
-        """An action as the index of a behavior."""
-        try:
-            behavior = operator.index(action)
-        except TypeError:
-            behavior = -1
-        if not 0 <= behavior < len(self.behaviors):
-            raise HouseholdError(
-                f"{agent}: action {shown(action)} is none of the behaviors; "
-                f"allowed: 0 to {len(self.behaviors) - 1}"
-            )
-        return behavior
+        return robot_index(agent, self._index)
 
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
@@ -373,21 +341,3 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 def _repeated(space: spaces.Box, times: int) -> spaces.Box:
     """A flat box that holds several copies of another."""
     return spaces.Box(np.tile(space.low, times), np.tile(space.high, times))
-
-
-def _checked_seed(seed: object) -> int:
-    """A seed as Python's own number."""
-    try:
-        number = operator.index(seed)  # type: ignore[arg-type]
-    except TypeError:
-        number = -1
-    if number < 0:
-        raise HouseholdError(
-            f"seed: {shown(seed)}; allowed: None or a whole number from 0 up"
-        )
-    return number
-
-
-def _check_name(name: object, allowed: Collection[str], what: str) -> None:
-    if not isinstance(name, str) or name not in allowed:
-        raise HouseholdError(choose_from(name, allowed, what))
