@@ -1,4 +1,4 @@
-"""Parts of a learner as plain data, for studies that write down what they compare.
+"""Components of a learner as plain data, for studies that write down what they compare.
 
 make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
 make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1.2}}))
@@ -27,7 +27,7 @@ from learners.tabular.rates import (
     SynchronousRate,
 )
 
-PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
+COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
     "rate": {
         "constant": ConstantRate,
         "synchronous": SynchronousRate,
@@ -53,39 +53,40 @@ PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "upper_confidence": UpperConfidence,
     },
 }
-"""Setting of a learner -> name -> what makes such a part."""
+"""Setting of a learner -> name -> what makes such a component."""
 
 
 def made(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns settings for `make_learner` with every named part made.
+    """Returns settings for `make_learner` with every named component made.
 
     Args:
-        settings: By setting. Of those in `PARTS`, a text names a part, and a mapping
-            names it under `name` beside the part's own settings; all else is passed on.
+        settings: By setting. Of those in `COMPONENTS`, a text names a component, and
+            a mapping names it under `name` beside the component's own settings; all
+            else is passed on.
 
     Raises:
-        UnknownNameError: If there is no such part or setting of it.
-        ParameterError: If a setting of a part is out of range.
+        UnknownNameError: If there is no such component or setting of it.
+        ParameterError: If a setting of a component is out of range.
     """
     return {
-        setting: _part(setting, value) if setting in PARTS else value
+        setting: _component(setting, value) if setting in COMPONENTS else value
         for setting, value in settings.items()
     }
 
 
-def name_of(setting: str, part: object) -> str:
-    """Returns the first name under which parts of this type are made.
+def name_of(setting: str, component: object) -> str:
+    """Returns the first name under which components of this type are made.
 
     Raises:
         UnknownNameError: If there is none.
     """
-    for name, make in PARTS[setting].items():
-        if type(make()) is type(part):
+    for name, make in COMPONENTS[setting].items():
+        if type(make()) is type(component):
             return name
-    raise UnknownNameError(f"no {setting} is made as {type(part).__name__}")
+    raise UnknownNameError(f"no {setting} is made as {type(component).__name__}")
 
 
-def _part(setting: str, value: object) -> object:
+def _component(setting: str, value: object) -> object:
     if isinstance(value, str):
         return _known(setting, value)()
     if not isinstance(value, Mapping):
@@ -100,7 +101,7 @@ def _part(setting: str, value: object) -> object:
 
 
 def _known(setting: str, name: str) -> Callable[..., object]:
-    known = PARTS[setting]
+    known = COMPONENTS[setting]
     if name in known:
         return known[name]
     near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)

@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from learners.analogy.operators import Analogy
-from learners.checks import check_range
-from learners.errors import ParameterError
+from learners.errors import ParameterError, check_range
 from learners.experience import Experience
 from learners.exploration import Estimates
+from learners.learner import Credit
 from learners.saving import DERIVED, saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.qtable import QTable
 from learners.tabular.rates import Factors, Rate, SocialRate
 from learners.tabular.updates import q_target, td_error
 
@@ -43,7 +43,7 @@ class QLearner(CreditedLearner):
     credit rule shares each touch (or, in silence, a reward of 0) among the entries;
     each share gives a target r + gamma * max Q(s'); the analogy carries the target to
     the analogs; each moves by rate * eligibility * strength, and its visit is counted
-    in `QTable.update`. All targets are worked out before the table changes.
+    in `QTable.move`. All targets are worked out before the table changes.
 
     Two touches in one entry are two updates, not one of twice the reward, so values
     stay in [-1, 1] / (1 - gamma) (our choice).
@@ -104,32 +104,43 @@ class QLearner(CreditedLearner):
         strength: float,
     ) -> None:
         for target, rows in zip(targets, spread, strict=True):
-            self.table.update(
-                [self._change(target, row, share * strength) for row, share in rows]
-            )
+            for row, share in rows:
+                self._move_row(row, target, target.weight * (share * strength))
+            self.table.updates += 1
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+    def _move_row(self, row: Hashable, target: Target, weight: float) -> None:
+        action = target.action
+        values, visits = self.table.row(row)
+        rate = self.rate(self.table.updates, visits[action], target.factors)
+        step = rate * weight * self._pace(values[action], target.value)
+        self.table.move(row, action, target.value, step, min(weight, 1.0))
+
+    def _pace(self, value: float, target: float) -> float:
+        """Factor on the step of one update; 1 in plain Q-learning."""
+        return 1.0
+
+    def _absorb(self, credits: Sequence[Credit]) -> None:
         self.targets = tuple(
-            target for assignment in assignments for target in self._targets(assignment)
+            target for credit in credits for target in self._targets(credit)
         )
         spread = [self.analogy.spread(target.state) for target in self.targets]
-        for feedback, weights in assignments:
-            for entry, weight in weights:
-                self.analogy.observe(entry, feedback, weight)
+        for credit in credits:
+            for entry, weight in credit.shares:
+                self.analogy.observe(entry, credit.reward, weight)
         self._move(self.targets, spread, 1.0)
 
-    def _targets(self, assignment: Assignment) -> list[Target]:
-        feedback, weights = assignment
-        if feedback is None:
+    def _targets(self, credit: Credit) -> list[Target]:
+        reward = credit.reward
+        if reward is None:
             attended = self.history.entries[-1].attended
-            reward, factors = 0.0, Factors(False, attended, 0.0)
+            value, factors = 0.0, Factors(False, attended, 0.0)
         else:
-            reward = feedback.value
-            factors = Factors(True, feedback.attending, feedback.mood)
-        error = self._newest_error(reward) if self.credit.shares_error else None
+            value = reward.value
+            factors = Factors(True, reward.attending, reward.mood)
+        error = self._newest_error(value) if self.credit.shares_error else None
         return [
-            Target(e.state, e.action, self._aim(e, reward, error), w, factors)
-            for e, w in weights
+            Target(e.state, e.action, self._aim(e, value, error), w, factors)
+            for e, w in credit.shares
         ]
 
     def _newest_error(self, reward: float) -> float:
@@ -145,15 +156,3 @@ class QLearner(CreditedLearner):
 
     def _value(self, entry: Experience) -> float:
         return self.analogy.values(self.table, entry.state)[entry.action]
-
-    def _change(self, target: Target, row: Hashable, strength: float) -> Change:
-        action, share = target.action, target.weight * strength
-        values, visits = self.table.row(row)
-        rate = self.rate(self.table.updates, visits[action], target.factors)
-        error = td_error(values[action], target.value)
-        step = rate * share * self._pace(error, target)
-        return Change(row, action, target.value, step, min(share, 1.0))
-
-    def _pace(self, error: float, target: Target) -> float:
-        """Factor on the step of one update; 1 in plain Q-learning."""
-        return 1.0

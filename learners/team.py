@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from learners.analogy.operators import is_state
 from learners.catalog import make_learner
-from learners.checks import check_range
-from learners.errors import ParameterError, UnknownRobotError
+from learners.errors import ParameterError, UnknownRobotError, check_range
 from learners.experience import Experience
 from learners.learner import Credit, Learner
 from learners.qlearner import QLearner

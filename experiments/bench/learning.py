@@ -22,8 +22,8 @@ ACTORS = 4
 
 def updates(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of an update with canonical analogy, against the actors."""
+    from experiments.bench.updates import microseconds
     from learners.analogy.operators import Canonical
-    from learners.benchmark import microseconds
 
     growths = [
         Growth(what="learner's update", against="actors", x=actors)
@@ -98,8 +98,8 @@ def _lived(
     marks: tuple[int, ...], gauge: Callable[[], float]
 ) -> Iterator[tuple[float, float]]:
     """Reads a gauge before and after what is learned up to each mark."""
+    from experiments.bench.updates import N_BEHAVIORS, crowds, experiences
     from learners.analogy.operators import Canonical
-    from learners.benchmark import N_BEHAVIORS, crowds, experiences
     from learners.credit.rules import Designated
     from learners.qlearner import QLearner
 

@@ -16,7 +16,7 @@ from experiments.running.trial import make_learner_of
 from household.scenario.behavior import Behavior
 from household.scenario.persona import Persona, load_persona
 from household.scenario.scenario import PerceptionModel, read_scenario
-from learners.components import PARTS, name_of
+from learners.components import COMPONENTS, name_of
 
 Keys = tuple[str, ...]
 """Where something stands in nested data; `*` stands for every key or index."""
@@ -139,7 +139,7 @@ def _of_learner(condition: Condition) -> list[Constant]:
     places: list[tuple[object, Keys]] = [
         (learner, (name,)) for name in ("gamma", "horizon")
     ]
-    for setting in PARTS:
+    for setting in COMPONENTS:
         part = getattr(learner, setting)
         places += [(part, (setting, field.name)) for field in dataclasses.fields(part)]
     return [

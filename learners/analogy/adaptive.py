@@ -4,8 +4,8 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
 from learners.analogy.operators import Canonical, as_state
-from learners.checks import check_positive, check_range
-from learners.experience import Experience, Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Experience, Reward
 from learners.saving import saved
 from learners.tabular.qtable import QTable
 from learners.tabular.updates import pooled
@@ -106,28 +106,26 @@ class AdaptiveAnalogy(Canonical):
         """The state's own row and its class's."""
         return ((state, 1.0), (self.class_row(state), 1.0))
 
-    def observe(
-        self, entry: Experience, feedback: Feedback | None, weight: float
-    ) -> None:
+    def observe(self, entry: Experience, reward: Reward | None, weight: float) -> None:
         """Compare a touch, or a silence, with what analogous states were told."""
-        if feedback is None and not entry.attended:
+        if reward is None and not entry.attended:
             return
         prediction = self._others(entry.state, entry.action)
         weight = min(weight, 1.0)
-        if feedback is None:
+        if reward is None:
             if prediction is not None:
                 self._agreed_all[1] += self.silence * weight * prediction**2
             return
         if prediction is not None:
-            agreed = self._agreed.setdefault(feedback.giver, [0.0, 0.0])
+            agreed = self._agreed.setdefault(reward.giver, [0.0, 0.0])
             for sums in (agreed, self._agreed_all):
-                sums[0] += weight * feedback.value * prediction
+                sums[0] += weight * reward.value * prediction
                 sums[1] += weight * prediction**2
         for row in (entry.state, self.class_row(entry.state)):
             behaviors = self._told.setdefault(row, {})
             told = behaviors.setdefault(entry.action, [0.0, 0.0])
             told[0] += weight
-            told[1] += weight * feedback.value
+            told[1] += weight * reward.value
 
     def _slope_of(self, agreed: _Sums | None, everybody: float) -> float:
         if agreed is None:

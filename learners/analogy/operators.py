@@ -9,9 +9,8 @@ from functools import cache
 from itertools import combinations
 from typing import Protocol, Self, TypeGuard, TypeVar
 
-from learners.checks import check_range
-from learners.errors import StateError
-from learners.experience import Experience, Feedback
+from learners.errors import StateError, check_range
+from learners.experience import Experience, Reward
 from learners.saving import DERIVED, saved
 from learners.tabular.qtable import QTable
 
@@ -133,14 +132,12 @@ class Analogy:
         """Rows that an update of a state goes to, with its strength in [0, 1] there."""
         return ((state, 1.0),)
 
-    def observe(
-        self, entry: Experience, feedback: Feedback | None, weight: float
-    ) -> None:
+    def observe(self, entry: Experience, reward: Reward | None, weight: float) -> None:
         """Take note of what was credited to an entry, before the table changes.
 
         Args:
             entry: the credited entry.
-            feedback: the touch; None if the entry passed in silence.
+            reward: the touch; None if the entry passed in silence.
             weight: its eligibility.
         """
 

@@ -10,10 +10,12 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
 from learners.errors import ParameterError
+from learners.experience import Experience
 from learners.exploration import Estimates, draw
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.qtable import QTable
 
 
 @saved
@@ -53,12 +55,12 @@ class Advise(CreditedLearner):
         """A draw from the feedback policy; `exploration` has no part in it."""
         return draw(self.estimates(state).values, self.rng)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                for entry, weight in weights:
-                    votes = self.votes.values(entry.state)[entry.action]
-                    target = votes + weight * feedback.value
-                    self.votes.update(
-                        [Change(entry.state, entry.action, target, 1.0, weight)]
-                    )
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if credit.reward is not None:
+                for entry, weight in credit.shares:
+                    self._count(entry, weight, credit.reward.value)
+
+    def _count(self, entry: Experience, weight: float, value: float) -> None:
+        votes = self.votes.values(entry.state)[entry.action]
+        self.votes.move(entry.state, entry.action, votes + weight * value, 1.0, weight)

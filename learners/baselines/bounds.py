@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Feedback
+from learners.experience import Reward
 from learners.exploration import Estimates, Exploration, Greedy
+from learners.learner import Credit
 from learners.saving import ATTACHED, saved
-from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.base import CreditedLearner
 
 Appropriateness = Callable[[Hashable], NDArray[np.float64]]
 """How appropriate each behavior is in a state, shape (n_behaviors,), in [-1, 1]."""
@@ -30,7 +31,7 @@ class RandomChoice(CreditedLearner):
         """All the same."""
         return Estimates([0.0] * self.n_behaviors, [0.0] * self.n_behaviors)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+    def _absorb(self, credits: Sequence[Credit]) -> None:
         """Takes no notice."""
 
 
@@ -93,13 +94,13 @@ class OracleCredit(CreditRule):
             touch has no cause (it then goes to no entry).
     """
 
-    cause: Callable[[Feedback], float | None] = field(metadata=ATTACHED)
+    cause: Callable[[Reward], float | None] = field(metadata=ATTACHED)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """1 to the entry in force at the cause."""
-        cause = self.cause(feedback)
+        cause = self.cause(reward)
         if cause is None:
             return Weighing({}, None)
         index = history.in_force(cause)

@@ -9,15 +9,16 @@ real-time form has a constant human delay and an eligibility trace.
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.checks import check_positive, check_range
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Experience, Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Experience, Reward
 from learners.exploration import Estimates, Exploration, Softmax, softmax
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.qtable import QTable
 
 
 @saved
@@ -38,10 +39,10 @@ class DelayedTrace(CreditRule):
         check_range("decay", self.decay, 0.0, 1.0)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The trace; the entry in force at the delay is the designated one."""
-        newest = history.in_force(feedback.time - self.delay)
+        newest = history.in_force(reward.time - self.delay)
         weights = {newest - back: self.decay**back for back in range(newest + 1)}
         kept = {i: weight for i, weight in weights.items() if weight >= LEAST_WEIGHT}
         return Weighing(kept, newest)
@@ -83,21 +84,15 @@ class Coach(CreditedLearner):
         """Probability of every behavior in a state."""
         return softmax(self.preferences.values(state), 1.0)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                for entry, weight in weights:
-                    self._climb(entry, self.step * weight * feedback.value)
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if credit.reward is not None:
+                for entry, weight in credit.shares:
+                    self._climb(entry, self.step * weight * credit.reward.value)
 
     def _climb(self, entry: Experience, size: float) -> None:
-        probabilities = self.policy(entry.state)
-        values = self.preferences.values(entry.state)
-        gradient = [float(b == entry.action) - p for b, p in enumerate(probabilities)]
-        self.preferences.update(
-            [
-                Change(
-                    entry.state, b, values[b] + slope, size, float(b == entry.action)
-                )
-                for b, slope in enumerate(gradient)
-            ]
-        )
+        before = tuple(self.preferences.values(entry.state))
+        for behavior, probability in enumerate(softmax(before, 1.0)):
+            chosen = float(behavior == entry.action)
+            target = before[behavior] + (chosen - probability)
+            self.preferences.move(entry.state, behavior, target, size, chosen)

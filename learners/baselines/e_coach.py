@@ -9,8 +9,8 @@ episode, discounts feedback by gamma^t, and lets the whole episode share in it.
 from dataclasses import dataclass, field
 
 from learners.baselines.coach import Coach, DelayedTrace
-from learners.checks import check_range
 from learners.credit.rules import CreditRule
+from learners.errors import check_range
 from learners.experience import Experience
 from learners.saving import saved
 

@@ -9,7 +9,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 
 from learners.baselines.personwise import Personwise
-from learners.checks import check_positive
+from learners.errors import check_positive
 from learners.exploration import Exploration, Thompson
 from learners.saving import saved
 

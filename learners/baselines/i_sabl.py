@@ -11,11 +11,11 @@ import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.checks import check_positive, check_range
-from learners.errors import ParameterError
+from learners.errors import ParameterError, check_positive, check_range
 from learners.exploration import Estimates
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.base import CreditedLearner
 
 _Counts = list[list[float]]  # per behavior: caresses, taps, silences
 
@@ -66,11 +66,11 @@ class ISabl(CreditedLearner):
             return Estimates(even, [0.0] * self.n_behaviors)
         return Estimates(self._posterior(counts), [sum(each) for each in counts])
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            for entry, weight in weights:
-                if feedback is not None:
-                    kind = 0 if feedback.value >= 0.0 else 1
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            for entry, weight in credit.shares:
+                if credit.reward is not None:
+                    kind = 0 if credit.reward.value >= 0.0 else 1
                 elif entry.attended:
                     kind = 2
                 else:

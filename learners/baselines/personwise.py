@@ -1,7 +1,7 @@
-"""What three rivals share: a home's opinion is the sum of its people's opinions.
+"""What three baselines share: a home's opinion is the sum of its people's opinions.
 
 Each person judges a behavior from its own place in the situation. How much one person's
-opinion says about another's is where the rivals differ: nothing (`no_sharing`),
+opinion says about another's is where they differ: nothing (`no_sharing`),
 everything (`full_sharing`), or as much as they agree (`hierarchical_thompson`); Gelman
 & Hill (2007), "Data analysis using regression and multilevel/hierarchical models",
 chapter 12, call it no, complete and partial pooling.
@@ -12,10 +12,11 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
 from learners.analogy.operators import MEMO_SIZE, State, as_state, remember
-from learners.experience import Feedback
+from learners.experience import Reward
 from learners.exploration import Estimates
+from learners.learner import Credit
 from learners.saving import DERIVED, saved
-from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.base import CreditedLearner
 
 Touches = tuple[float, float]
 """How many touches (by eligibility), and their mean value."""
@@ -75,24 +76,24 @@ class Personwise(CreditedLearner):
         told = self.opinions.get((place, behavior), {})
         return sum(touches for touches, _ in told.values())
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+    def _absorb(self, credits: Sequence[Credit]) -> None:
         touches = [
-            (self.place(entry.state, feedback.giver), entry.action, feedback, weight)
-            for feedback, weights in assignments
-            if feedback is not None
-            for entry, weight in weights
+            (self.place(entry.state, reward.giver), entry.action, reward, weight)
+            for credit in credits
+            if (reward := credit.reward) is not None
+            for entry, weight in credit.shares
         ]
-        for place, behavior, feedback, weight in touches:
+        for place, behavior, reward, weight in touches:
             if place is not None:
-                self._note(place, behavior, feedback, weight)
+                self._note(place, behavior, reward, weight)
 
     def _note(
-        self, place: Hashable, behavior: int, feedback: Feedback, weight: float
+        self, place: Hashable, behavior: int, reward: Reward, weight: float
     ) -> None:
         by_person = self.opinions.setdefault((place, behavior), {})
-        n, mean = by_person.get(feedback.giver, (0.0, 0.0))
+        n, mean = by_person.get(reward.giver, (0.0, 0.0))
         n += weight
-        by_person[feedback.giver] = (n, mean + weight / n * (feedback.value - mean))
+        by_person[reward.giver] = (n, mean + weight / n * (reward.value - mean))
 
 
 def _places(state: State) -> dict[Hashable, Hashable]:

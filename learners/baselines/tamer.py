@@ -9,12 +9,14 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
 from learners.baselines.delay_density import DelayDensity
-from learners.checks import check_range
 from learners.credit.rules import CreditRule
+from learners.errors import check_range
+from learners.experience import Experience
 from learners.exploration import Estimates, Exploration, Greedy
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.qtable import QTable
 
 
 @saved
@@ -47,20 +49,16 @@ class Tamer(CreditedLearner):
         """Predicted feedback for each behavior."""
         return Estimates(*self.model.row(state))
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                predicted = sum(
-                    w * self.model.values(e.state)[e.action] for e, w in weights
-                )
-                error = feedback.value - predicted
-                for entry, weight in weights:
-                    value = self.model.values(entry.state)[entry.action]
-                    change = Change(
-                        entry.state,
-                        entry.action,
-                        value + error,
-                        self.step * weight,
-                        weight,
-                    )
-                    self.model.update([change])
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if credit.reward is not None:
+                self._descend(credit.reward.value, credit.shares)
+
+    def _descend(self, felt: float, shares: Sequence[tuple[Experience, float]]) -> None:
+        predicted = sum(w * self.model.values(e.state)[e.action] for e, w in shares)
+        error = felt - predicted
+        for entry, weight in shares:
+            value = self.model.values(entry.state)[entry.action]
+            self.model.move(
+                entry.state, entry.action, value + error, self.step * weight, weight
+            )

@@ -4,42 +4,29 @@ from abc import ABC, abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
-from typing import NamedTuple, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.checks import check_range
 from learners.credit.history import History
-from learners.credit.rules import CreditRule, Immediate
+from learners.credit.rules import CreditRule, Immediate, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.errors import SavedFileError, UnknownBehaviorError
-from learners.experience import Experience, Feedback
+from learners.errors import SavedFileError, UnknownBehaviorError, check_range
+from learners.experience import Experience, Reward
 from learners.exploration import Estimates, Exploration, Softmax
-from learners.learner import Credit, Share
+from learners.learner import Credit
 from learners.saving import load, write
 
 MOST_WEIGHT = 1e6
 """Beyond any trace that adds up: a weight above it is a rule's mistake."""
 
 
-class Assignment(NamedTuple):
-    """One feedback, or its absence, shared among entries.
-
-    Attributes:
-        feedback: the touch; None for an entry that passed in silence.
-        weights: eligibility by entry.
-    """
-
-    feedback: Feedback | None
-    weights: Sequence[tuple[Experience, float]]
-
-
 @dataclass(eq=False)
 class CreditedLearner(ABC):
     """A learner that credits each touch to past entries and learns from those.
 
-    A subclass says what it makes of the credited touches (`_absorb`) and what it then
+    A subclass says what it makes of credited touches (`_absorb`) and what it then
     holds of each behavior (`estimates`).
 
     Attributes:
@@ -76,8 +63,8 @@ class CreditedLearner(ABC):
         """What is known of the behaviors in a state; for reading only."""
 
     @abstractmethod
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        """Learn from the feedback of the newest entry, shared among entries."""
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        """Learn from the touches of the newest entry, or from its silence."""
 
     def act(self, state: Hashable) -> int:
         """Choose a behavior, an index in 0 .. n_behaviors - 1."""
@@ -112,7 +99,7 @@ class CreditedLearner(ABC):
         )
         self.history.append(experience, exploratory=exploratory)
         self.network.count(experience.state, experience.action, experience.next_state)
-        self._absorb(self._assigned(experience.feedback))
+        self._absorb(self._credited(experience.rewards))
 
     def start_episode(self) -> None:
         """Forget the history but nothing learned: the clock starts anew."""
@@ -123,7 +110,7 @@ class CreditedLearner(ABC):
         """Write all it needs to go on exactly as it would have, atomically.
 
         Raises:
-            SavedFileError: if a state or a part is not registered with `saved`.
+            SavedFileError: if a state or a component is not registered with `saved`.
         """
         write(path, self)
 
@@ -145,30 +132,25 @@ class CreditedLearner(ABC):
         values = self.estimates(experience.state).values
         return values[experience.action] < max(values)
 
-    def _assigned(self, feedback: tuple[Feedback, ...]) -> list[Assignment]:
-        entries = self.history.entries
-        if not feedback:
-            self._credits = ()
-            weights = self.credit.weigh_silence(self.history).weights
-            return [Assignment(None, [(entries[i], w) for i, w in weights.items()])]
-        weighed = [(f, *self._weighed(f)) for f in feedback]
-        self._credits = tuple(credit for _, _, credit in weighed)
-        return [Assignment(touch, weights) for touch, weights, _ in weighed]
+    def _credited(self, rewards: tuple[Reward, ...]) -> tuple[Credit, ...]:
+        if rewards:
+            self._credits = tuple(map(self._believed, rewards))
+            return self._credits
+        self._credits = ()
+        weighing = self.credit.weigh_silence(self.history)
+        return (self._credit(None, weighing),)
 
-    def _weighed(
-        self, feedback: Feedback
-    ) -> tuple[list[tuple[Experience, float]], Credit]:
-        entries = self.history.entries
-        weights, designated = self.credit.weigh(feedback, self.history, self.network)
-        shares = {i: _share(entries[i], weights[i]) for i in sorted(weights)}
-        credit = Credit(
-            feedback=feedback,
-            shares=tuple(shares.values()),
-            designated=None if designated is None else shares.get(designated),
+    def _believed(self, reward: Reward) -> Credit:
+        weighing = self.credit.weigh(reward, self.history, self.network)
+        for weight in weighing.weights.values():
+            check_range("the weight that a credit rule gave", weight, 0.0, MOST_WEIGHT)
+        return self._credit(reward, weighing)
+
+    def _credit(self, reward: Reward | None, weighing: Weighing) -> Credit:
+        entries, (weights, designated) = self.history.entries, weighing
+        meant = None if designated not in weights else entries[designated]
+        return Credit(
+            reward=reward,
+            shares=tuple((entries[i], weights[i]) for i in sorted(weights)),
+            designated=meant,
         )
-        return [(entries[i], weights[i]) for i in shares], credit
-
-
-def _share(entry: Experience, weight: float) -> Share:
-    check_range("the weight that a credit rule gave", weight, 0.0, MOST_WEIGHT)
-    return Share(state=entry.state, action=entry.action, time=entry.time, weight=weight)

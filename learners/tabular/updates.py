@@ -34,20 +34,21 @@ def moved(q_tm1: float, target: float, step: float) -> float:
 
     Source: section 3.1 of the paper, written as Q + alpha * (target - Q).
     """
-    return q_tm1 + step * (target - q_tm1)
+    return q_tm1 + step * td_error(q_tm1, target)
 
 
-def hysteretic(error: float, increase: float, decrease: float) -> float:
-    """Learning-rate factor by the sign of the error: good surprises count more.
+def hysteretic(q_tm1: float, target: float, increase: float, decrease: float) -> float:
+    """Learning-rate factor by the way it goes: good surprises count more.
 
     Args:
-        error: temporal-difference error.
-        increase: factor if the error is >= 0, in [0, 1].
-        decrease: factor if the error is < 0, in [0, 1].
+        q_tm1: the value before.
+        target: what it moves towards.
+        increase: factor if the value was not too high, in [0, 1].
+        decrease: factor if it was too high, in [0, 1].
 
     Source: Matignon, Laurent & Le Fort-Piat (2007), equation 3.
     """
-    return increase if error >= 0.0 else decrease
+    return increase if target >= q_tm1 else decrease
 
 
 def pooled(

@@ -4,7 +4,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from learners import CATALOG, Experience, Feedback, saved
+from learners import CATALOG, Experience, Reward, saved
 
 
 @saved
@@ -59,9 +59,7 @@ def toy():
 @pytest.fixture(scope="session")
 def touch():
     def make(value=1.0, time=0.0, giver="ann", attending=True, **more):
-        return Feedback(
-            value=value, time=time, giver=giver, attending=attending, **more
-        )
+        return Reward(value=value, time=time, giver=giver, attending=attending, **more)
 
     return make
 
@@ -70,11 +68,11 @@ def touch():
 def entry():
     """entry(state, action, time, ...): one second long and followed by itself."""
 
-    def make(state="s", action=0, time=0.0, *feedback, **more):
+    def make(state="s", action=0, time=0.0, *rewards, **more):
         more.setdefault("next_state", state)
         more.setdefault("next_time", time + 1.0)
         return Experience(
-            state=state, action=action, time=time, feedback=feedback, **more
+            state=state, action=action, time=time, rewards=rewards, **more
         )
 
     return make
@@ -96,7 +94,7 @@ def attached():
     return lambda name: {need: world[need] for need in CATALOG[name].needs}
 
 
-def first_candidate(feedback, candidates):
+def first_candidate(reward, candidates):
     return 0
 
 
@@ -104,8 +102,8 @@ def likes_behavior_1(state):
     return np.array([-1.0, 1.0, 0.0])
 
 
-def one_second_before(feedback):
-    return feedback.time - 1.0
+def one_second_before(reward):
+    return reward.time - 1.0
 
 
 @pytest.fixture
@@ -129,7 +127,7 @@ def live(toy):
             felt = ()
             if rng.random() < 0.4:
                 felt = (
-                    Feedback(
+                    Reward(
                         value=1.0 if action == 1 else -1.0,
                         time=time + length,
                         giver=("ann", "bob")[rng.integers(2)],
@@ -148,7 +146,7 @@ def live(toy):
                     next_state=following,
                     time=time,
                     next_time=time + length,
-                    feedback=felt,
+                    rewards=felt,
                     attended=bool(rng.random() < 0.5),
                 )
             )

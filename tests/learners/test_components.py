@@ -4,12 +4,12 @@ import pytest
 from learners.analogy.operators import Propagation, RemoveEntity, SwapRoles
 from learners.baselines.skip_silence import SkipSilence
 from learners.catalog import make_learner
-from learners.components import PARTS, made, name_of
+from learners.components import COMPONENTS, made, name_of
 from learners.credit.rules import Designated
 from learners.errors import ParameterError, UnknownNameError
 from learners.tabular.rates import SocialRate
 
-PAIRS = [(setting, name) for setting, known in PARTS.items() for name in known]
+PAIRS = [(setting, name) for setting, known in COMPONENTS.items() for name in known]
 
 
 @pytest.mark.parametrize(("setting", "name"), PAIRS)
@@ -54,9 +54,11 @@ def test_what_is_not_known_is_refused_with_the_nearest_name():
         made({"rate": {"name": "social", "center": 0.75}})
 
 
-def test_a_parts_name_makes_a_part_of_its_type(rng):
+def test_a_components_name_makes_one_of_its_type(rng):
     learner = make_learner("designated_adaptive", 2, rng)
-    found = {setting: name_of(setting, getattr(learner, setting)) for setting in PARTS}
+    found = {
+        setting: name_of(setting, getattr(learner, setting)) for setting in COMPONENTS
+    }
     assert found == {
         "rate": "social",
         "credit": "designated",

@@ -38,8 +38,8 @@ def history(entry):
     return history
 
 
-def weigh(rule, feedback, history):
-    return rule.weigh(feedback, history, SituationNetwork())
+def weigh(rule, reward, history):
+    return rule.weigh(reward, history, SituationNetwork())
 
 
 def test_skipping_silence_forgets_nothing(entry, touch, rng):
@@ -335,7 +335,7 @@ def test_personwise_learners_need_states_with_people(rng):
         lambda _: TravelPosterior(unseen=1.1),
     ],
 )
-def test_a_rival_out_of_range_is_refused(make, rng):
+def test_a_baseline_out_of_range_is_refused(make, rng):
     with pytest.raises(ParameterError):
         make(rng)
 

@@ -16,8 +16,8 @@ def test_a_step_of_a_quarter_goes_a_quarter_of_the_way():
 
 
 def test_hysteresis_believes_good_news_more_than_bad():
-    assert hysteretic(0.3, 0.9, 0.1) == 0.9
-    assert hysteretic(-0.3, 0.9, 0.1) == 0.1
+    assert hysteretic(0.2, 0.5, increase=0.9, decrease=0.1) == 0.9
+    assert hysteretic(0.5, 0.2, increase=0.9, decrease=0.1) == 0.1
 
 
 def test_without_trust_the_own_value_stands_alone():

@@ -1,6 +1,6 @@
 """How long an update takes, against the number of actors and the analogy.
 
-Run with `python -m learners.benchmark`; the table goes into docs/learners.md.
+Run with `python -m experiments.bench.updates`; the table goes into docs/learners.md.
 """
 
 import time
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from learners.analogy.adaptive import AdaptiveAnalogy
 from learners.analogy.operators import Analogy, Canonical, Propagation
 from learners.credit.rules import Designated
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 from learners.qlearner import QLearner
 
 ROLES = ("entering", "working", "reading", "sleeping", "playing", "calling", "unknown")
@@ -81,7 +81,7 @@ def experiences(
     """One entry after the other through the states, a touch every few of them."""
     for index, (state, next_state) in enumerate(pairwise(states)):
         begin, end = index * ENTRY, (index + 1) * ENTRY
-        touch = Feedback(
+        touch = Reward(
             value=float(rng.choice((-1.0, 1.0))),
             time=end,
             giver=state.entities[0],
@@ -94,7 +94,7 @@ def experiences(
             next_state=next_state,
             time=begin,
             next_time=end,
-            feedback=(touch,) if index % TOUCH_EVERY == 0 else (),
+            rewards=(touch,) if index % TOUCH_EVERY == 0 else (),
         )
 
 

@@ -7,7 +7,7 @@ from typing import ClassVar, NamedTuple, Protocol
 
 import numpy as np
 
-from learners.checks import check_positive, check_range
+from learners.errors import check_positive, check_range
 from learners.saving import saved
 
 
