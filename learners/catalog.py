@@ -7,8 +7,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import Canonical, Propagation, RemoveEntity, SwapRoles
+from learners.analogy import AdaptiveAnalogy, Propagation, RemoveEntity, SwapRoles
 from learners.baselines.advise import Advise
 from learners.baselines.bounds import BestConstant, Oracle, OracleCredit, RandomChoice
 from learners.baselines.coach import Coach
@@ -32,6 +31,7 @@ from learners.credit.rules import Designated, Trace
 from learners.errors import ParameterError, UnknownNameError
 from learners.learner import Learner
 from learners.qlearner import QLearner
+from learners.representation import Canonical
 from learners.tabular.rates import AsynchronousRate, SynchronousRate
 
 Components = Callable[..., dict[str, Any]]
@@ -129,7 +129,7 @@ CATALOG: Mapping[str, Recipe] = {
     "designated_canonical": Recipe(
         summary="designated credit and the canonical form, many actors",
         kind=QLearner,
-        components=lambda: {"credit": Designated(), "analogy": Canonical()},
+        components=lambda: {"credit": Designated(), "representation": Canonical()},
     ),
     "designated_adaptive": Recipe(
         summary="designated credit and analogy trusted as far as people agree",

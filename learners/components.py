@@ -9,17 +9,42 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import (
+from learners.analogy import (
+    AdaptiveAnalogy,
     Analogy,
-    Canonical,
     Propagation,
     RemoveEntity,
     SwapRoles,
 )
+from learners.baselines.delay_density import DelayDensity
+from learners.baselines.fixed_shift import FixedShift
+from learners.baselines.travel_posterior import TravelPosterior
+from learners.baselines.uniform_window import UniformWindow
 from learners.credit.rules import Designated, Immediate, Trace
 from learners.errors import ParameterError, UnknownNameError
-from learners.exploration import EpsilonGreedy, Greedy, Softmax, UpperConfidence
+from learners.exploration import (
+    EpsilonGreedy,
+    Greedy,
+    Softmax,
+    Thompson,
+    UpperConfidence,
+)
+from learners.pooling import (
+    AdaptivePooling,
+    FullPooling,
+    HierarchicalPooling,
+    NoPooling,
+)
+from learners.representation import (
+    AudibleViews,
+    Canonical,
+    MarkedSituations,
+    Named,
+    Nameless,
+    PersonViews,
+    Views,
+    ViewSet,
+)
 from learners.tabular.rates import (
     AsynchronousRate,
     ConstantRate,
@@ -38,12 +63,32 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "immediate": Immediate,
         "trace": Trace,
         "designated": Designated,
+        "fixed_shift": FixedShift,
+        "uniform_window": UniformWindow,
+        "delay_density": DelayDensity,
+        "travel_posterior": TravelPosterior,
+    },
+    "representation": {
+        "named": Named,
+        "canonical": Canonical,
+        "nameless": Nameless,
+        "marked": MarkedSituations,
+        "view_set": ViewSet,
+        "views": Views,
+        "audible_views": AudibleViews,
+        "person_views": PersonViews,
+    },
+    "pooling": {
+        "none": NoPooling,
+        "full": FullPooling,
+        "hierarchical": HierarchicalPooling,
+        "adaptive": AdaptivePooling,
     },
     "analogy": {
         "none": Analogy,
         "swap": Propagation,
         "swap_remove": partial(Propagation, operators=(SwapRoles(), RemoveEntity())),
-        "canonical": Canonical,
+        "remove": partial(Propagation, operators=(RemoveEntity(),)),
         "adaptive": AdaptiveAnalogy,
     },
     "exploration": {
@@ -51,9 +96,13 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "greedy": Greedy,
         "epsilon_greedy": EpsilonGreedy,
         "upper_confidence": UpperConfidence,
+        "thompson": Thompson,
     },
 }
 """Setting of a learner -> name -> what makes such a component."""
+
+_CALLED_BEFORE = {("analogy", "canonical"): ("representation", "canonical")}
+"""Setting and name of a component in older configurations -> what they are now."""
 
 
 def made(settings: Mapping[str, Any]) -> dict[str, Any]:
@@ -68,10 +117,7 @@ def made(settings: Mapping[str, Any]) -> dict[str, Any]:
         UnknownNameError: If there is no such component or setting of it.
         ParameterError: If a setting of a component is out of range.
     """
-    return {
-        setting: _component(setting, value) if setting in COMPONENTS else value
-        for setting, value in settings.items()
-    }
+    return dict(_made(setting, value) for setting, value in settings.items())
 
 
 def name_of(setting: str, component: object) -> str:
@@ -84,6 +130,13 @@ def name_of(setting: str, component: object) -> str:
         if type(make()) is type(component):
             return name
     raise UnknownNameError(f"no {setting} is made as {type(component).__name__}")
+
+
+def _made(setting: str, value: object) -> tuple[str, object]:
+    if isinstance(value, str):
+        setting, value = _CALLED_BEFORE.get((setting, value), (setting, value))
+    made = _component(setting, value) if setting in COMPONENTS else value
+    return setting, made
 
 
 def _component(setting: str, value: object) -> object:

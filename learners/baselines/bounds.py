@@ -13,7 +13,7 @@ from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
 from learners.experience import Reward
-from learners.exploration import Estimates, Exploration, Greedy
+from learners.exploration import Exploration, Greedy
 from learners.learner import Credit
 from learners.saving import ATTACHED, saved
 from learners.tabular.base import CreditedLearner
@@ -27,9 +27,9 @@ Appropriateness = Callable[[Hashable], NDArray[np.float64]]
 class RandomChoice(CreditedLearner):
     """Any behavior at any time; learns nothing."""
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """All the same."""
-        return Estimates([0.0] * self.n_behaviors, [0.0] * self.n_behaviors)
+        return [0.0] * self.n_behaviors
 
     def _absorb(self, credits: Sequence[Credit]) -> None:
         """Takes no notice."""
@@ -51,9 +51,10 @@ class Oracle(RandomChoice):
     appropriateness: Appropriateness = field(metadata=ATTACHED, kw_only=True)
     exploration: Exploration = field(default_factory=Greedy, kw_only=True)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """The true appropriateness."""
-        return Estimates(self.appropriateness(state).tolist(), [0.0] * self.n_behaviors)
+        values: list[float] = self.appropriateness(state).tolist()
+        return values
 
 
 @saved
@@ -79,9 +80,10 @@ class BestConstant(Oracle):
         self.total = self.total + self.appropriateness(state)
         return super().act(state)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """The sum so far, the same in every state."""
-        return Estimates(self.total.tolist(), [0.0] * self.n_behaviors)
+        values: list[float] = self.total.tolist()
+        return values
 
 
 @saved

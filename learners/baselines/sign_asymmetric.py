@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from learners.errors import check_range
 from learners.experience import Reward
 from learners.learner import Credit
-from learners.qlearner import QLearner, Target
+from learners.qlearner import QLearner, Update
 from learners.saving import saved
 from learners.tabular.rates import AsynchronousRate, Rate
 
@@ -41,10 +41,10 @@ class SignAsymmetric(QLearner):
         for name in ("caress", "tap", "silence"):
             check_range(name, getattr(self, name), 0.0, 1.0)
 
-    def _targets(self, credit: Credit) -> list[Target]:
+    def _updates_of(self, credit: Credit) -> list[Update]:
         factor = self._factor(credit.reward)
-        targets = super()._targets(credit)
-        return [t._replace(weight=t.weight * factor) for t in targets]
+        updates = super()._updates_of(credit)
+        return [each._replace(weight=each.weight * factor) for each in updates]
 
     def _factor(self, reward: Reward | None) -> float:
         if reward is None:

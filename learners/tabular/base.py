@@ -12,11 +12,21 @@ from numpy.typing import NDArray
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Immediate, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.errors import SavedFileError, UnknownBehaviorError, check_range
+from learners.errors import (
+    ParameterError,
+    SavedFileError,
+    UnknownBehaviorError,
+    check_range,
+)
 from learners.experience import Experience, Reward
 from learners.exploration import Estimates, Exploration, Softmax
 from learners.learner import Credit
-from learners.saving import load, write
+from learners.pooling.rules import NoPooling, Pooling
+from learners.representation.parts import Representation
+from learners.representation.situations import Named
+from learners.saving import DERIVED, load, write
+from learners.tabular.memory import Memory
+from learners.tabular.qtable import QTable
 
 MOST_WEIGHT = 1e6
 """Beyond any trace that adds up: a weight above it is a rule's mistake."""
@@ -26,8 +36,8 @@ MOST_WEIGHT = 1e6
 class CreditedLearner(ABC):
     """A learner that credits each touch to past entries and learns from those.
 
-    A subclass says what it makes of credited touches (`_absorb`) and what it then
-    holds of each behavior (`estimates`).
+    A subclass says what it makes of credited touches (`_absorb`); what it learned is in
+    its table, which it reads and writes through `memory`.
 
     Attributes:
         n_behaviors: number of behaviors, >= 1.
@@ -35,7 +45,11 @@ class CreditedLearner(ABC):
         credit: which entries a touch is about.
         exploration: how a behavior is chosen. Softmax by default, since the people
             of a home change their minds and greed would not notice.
+        representation: which rows of the table a state is kept in.
+        pooling: how far one person is read off others; of no effect where a
+            representation does not tell people apart.
         horizon: [s] how far back a touch can reach, see `History`.
+        table: what was learned, a row for each part of a state.
     """
 
     n_behaviors: int
@@ -43,24 +57,65 @@ class CreditedLearner(ABC):
     _: KW_ONLY
     credit: CreditRule = field(default_factory=Immediate)
     exploration: Exploration = field(default_factory=Softmax)
+    representation: Representation = field(default_factory=Named)
+    pooling: Pooling = field(default_factory=NoPooling)
     horizon: float = 60.0
     history: History = field(init=False, repr=False)
     network: SituationNetwork = field(init=False, repr=False)
+    table: QTable = field(init=False, repr=False)
     _credits: tuple[Credit, ...] = field(init=False, default=(), repr=False)
+    _memory: Memory | None = field(
+        init=False, default=None, repr=False, metadata=DERIVED
+    )
 
     def __post_init__(self) -> None:
         check_range("n_behaviors", self.n_behaviors, 1)
+        if self.exploration.needs_posterior and not self.has_posterior:
+            raise ParameterError(
+                f"{type(self.exploration).__name__} needs a posterior, which a "
+                f"{type(self).__name__} with {type(self.pooling).__name__} has not; "
+                "take hierarchical_thompson"
+            )
         self.history = History(horizon=self.horizon)
         self.network = SituationNetwork()
+        self.table = QTable(n_behaviors=self.n_behaviors)
 
     @property
     def credits(self) -> tuple[Credit, ...]:
         """What the last `learn` believed each of its touches to be about."""
         return self._credits
 
-    @abstractmethod
+    @property
+    def has_posterior(self) -> bool:
+        """Whether `estimates` tells how sure it is of each value."""
+        return False
+
+    @property
+    def memory(self) -> Memory:
+        """The table as it is read and written."""
+        if self._memory is None or self._memory.table is not self.table:
+            self._memory = Memory(self.table, self.representation, self.pooling)
+        return self._memory
+
+    def share(self, other: Self) -> None:
+        """From now on, learn into what another learner of this kind has learned."""
+        self.table, self.network = other.table, other.network
+        self.pooling, self._memory = other.pooling, other.memory
+
     def estimates(self, state: Hashable) -> Estimates:
         """What is known of the behaviors in a state; for reading only."""
+        return Estimates(
+            self._values(state), self._visits(state), self._deviations(state)
+        )
+
+    def _values(self, state: Hashable) -> Sequence[float]:
+        return self.memory.values(state)
+
+    def _visits(self, state: Hashable) -> Sequence[float]:
+        return self.memory.visits(state)
+
+    def _deviations(self, state: Hashable) -> Sequence[float] | None:
+        return self.memory.deviations(state) if self.has_posterior else None
 
     @abstractmethod
     def _absorb(self, credits: Sequence[Credit]) -> None:
@@ -68,11 +123,17 @@ class CreditedLearner(ABC):
 
     def act(self, state: Hashable) -> int:
         """Choose a behavior, an index in 0 .. n_behaviors - 1."""
-        return self.exploration.choose(self.estimates(state), self.rng)
+        asked = self.exploration
+        estimates = Estimates(
+            self._values(state),
+            self._visits(state) if asked.needs_visits else (),
+            self._deviations(state) if asked.needs_posterior else None,
+        )
+        return asked.choose(estimates, self.rng)
 
     def q_values(self, state: Hashable) -> NDArray[np.float64]:
         """Value of every behavior in a state, shape (n_behaviors,); a copy."""
-        return np.array(self.estimates(state).values, dtype=np.float64)
+        return np.array(self._values(state), dtype=np.float64)
 
     def learn(self, experience: Experience) -> None:
         """Learn from one entry: check it, remember it, credit its touches, absorb them.
@@ -92,6 +153,7 @@ class CreditedLearner(ABC):
                 f"behaviors 0 .. {self.n_behaviors - 1}"
             )
         self.history.check(experience)
+        self.memory.seen(experience.state)  # refused before anything is learned
         exploratory = (
             self.credit.shares_error  # nobody else asks
             and experience.chosen
@@ -129,7 +191,7 @@ class CreditedLearner(ABC):
         return learner
 
     def _was_exploratory(self, experience: Experience) -> bool:
-        values = self.estimates(experience.state).values
+        values = self._values(experience.state)
         return values[experience.action] < max(values)
 
     def _credited(self, rewards: tuple[Reward, ...]) -> tuple[Credit, ...]:

@@ -18,13 +18,27 @@ class Row(NamedTuple):
     values: list[float]
     visits: list[float]
 
+    def move(self, action: int, target: float, step: float, visits: float) -> None:
+        """Move one value towards a target and count the visit.
+
+        Args:
+            action: behavior index.
+            target: what the value moves towards.
+            step: how far, as a share of the way.
+            visits: what it counts as a visit; a spread-out update counts in part, so
+                that a trace of a touch does not use up a pair's learning rate.
+        """
+        self.values[action] = moved(self.values[action], target, step)
+        self.visits[action] += visits
+
 
 @saved
 @dataclass(kw_only=True, eq=False)
 class QTable:
     """Values Q(state, action) and visits t(state, action) of every state met.
 
-    Rows come into being when they are first written; reading never adds one.
+    A row is a state, or what a representation makes of it. Rows come into being when
+    they are first written (see `learners.tabular.memory`); reading never adds one.
 
     Attributes:
         n_behaviors: number of behaviors, >= 1.
@@ -60,6 +74,13 @@ class QTable:
         """Visits of a state's pairs, length n_behaviors; for reading only."""
         return self.row(state).visits
 
+    def add(self, state: Hashable) -> Row:
+        """The row of a state that had none, to be written."""
+        row = self.rows[state] = Row(
+            self._unseen.values.copy(), self._unseen.visits.copy()
+        )
+        return row
+
     def array(self, state: Hashable) -> NDArray[np.float64]:
         """Values of a state, shape (n_behaviors,); a copy."""
         return np.array(self.row(state).values)
@@ -80,23 +101,3 @@ class QTable:
         table.updates = data["updates"]
         table.rows = {state: Row(*row) for state, row in data["rows"].items()}
         return table
-
-    def move(
-        self, state: Hashable, action: int, target: float, step: float, visits: float
-    ) -> None:
-        """Move one value towards a target and count the visit.
-
-        Args:
-            state: row of the table.
-            action: behavior index.
-            target: what the value moves towards.
-            step: how far, as a share of the way.
-            visits: what it counts as a visit; a spread-out update counts in part, so
-                that a trace of a touch does not use up a pair's learning rate.
-        """
-        row = self.rows.get(state)
-        if row is None:
-            row = Row(self._unseen.values.copy(), self._unseen.visits.copy())
-            self.rows[state] = row
-        row.values[action] = moved(row.values[action], target, step)
-        row.visits[action] += visits

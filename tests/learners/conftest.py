@@ -14,6 +14,7 @@ class ToyState:
 
     plays: tuple
     looks: frozenset = frozenset()
+    hears: frozenset = frozenset()
 
     @property
     def entities(self):
@@ -35,6 +36,30 @@ class ToyState:
             for order in orders
         )
         return min(forms, key=lambda form: (form.plays, sorted(form.looks)))
+
+    def without_names(self):
+        form = self.canonical()
+        return form.renamed({e: f"p{i}" for i, e in enumerate(form.entities)})
+
+    def views(self):
+        return tuple(
+            (
+                e,
+                (
+                    ("plays", role),
+                    *sorted(
+                        (relation, other)
+                        for relation, pairs in (
+                            ("attends", self.looks),
+                            ("hears", self.hears),
+                        )
+                        for one, other in pairs
+                        if one == e and other not in self.entities
+                    ),
+                ),
+            )
+            for e, role in self.plays
+        )
 
     def renamed(self, names):
         return ToyState(

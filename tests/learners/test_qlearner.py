@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from learners import QLearner
-from learners.analogy.operators import Propagation
+from learners.analogy.carrying import Propagation
 from learners.credit.heuristics import FixedDelay
 from learners.credit.rules import CreditRule, Designated, Trace, Weighing
 from learners.errors import ExperienceError, ParameterError, UnknownBehaviorError

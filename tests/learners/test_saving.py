@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from learners import CATALOG, QLearner, load, make_learner, saved
-from learners.analogy.operators import Propagation
+from learners.analogy.carrying import Propagation
 from learners.errors import SavedFileError
 from learners.saving import VERSION, codec, encode
 

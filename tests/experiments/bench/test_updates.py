@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from experiments.bench import updates
-from learners.analogy.operators import Propagation, is_state
+from learners.analogy.carrying import Propagation
+from learners.representation.states import is_state
 
 
 @pytest.fixture(autouse=True)
