@@ -2,8 +2,8 @@
 
 from learners.catalog import CATALOG, make_learner
 from learners.errors import LearnerError
-from learners.experience import Experience, Feedback
-from learners.learner import Credit, Learner, Share
+from learners.experience import Experience, Reward
+from learners.learner import Credit, Learner
 from learners.qlearner import QLearner
 from learners.saving import load, saved
 from learners.team import Team, make_team
@@ -12,11 +12,10 @@ __all__ = [
     "CATALOG",
     "Credit",
     "Experience",
-    "Feedback",
     "Learner",
     "LearnerError",
     "QLearner",
-    "Share",
+    "Reward",
     "Team",
     "load",
     "make_learner",

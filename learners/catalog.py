@@ -7,8 +7,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import Canonical, Propagation, RemoveEntity, SwapRoles
+from learners.analogy import AdaptiveAnalogy, Propagation, RemoveEntity, SwapRoles
 from learners.baselines.advise import Advise
 from learners.baselines.bounds import BestConstant, Oracle, OracleCredit, RandomChoice
 from learners.baselines.coach import Coach
@@ -32,9 +31,10 @@ from learners.credit.rules import Designated, Trace
 from learners.errors import ParameterError, UnknownNameError
 from learners.learner import Learner
 from learners.qlearner import QLearner
+from learners.representation import Canonical
 from learners.tabular.rates import AsynchronousRate, SynchronousRate
 
-Parts = Callable[..., dict[str, Any]]
+Components = Callable[..., dict[str, Any]]
 """Makes settings from what a recipe needs; `dict` passes that on as it is."""
 
 
@@ -45,13 +45,13 @@ class Recipe:
     Attributes:
         summary: one line for people who choose.
         kind: the learner's class, a dataclass.
-        parts: makes its settings anew for each learner, from what it `needs`.
+        components: makes its settings anew for each learner, from what it `needs`.
         needs: names of callables into the world that the caller must give.
     """
 
     summary: str
     kind: type
-    parts: Parts = dict
+    components: Components = dict
     needs: tuple[str, ...] = ()
 
     @property
@@ -66,12 +66,12 @@ CATALOG: Mapping[str, Recipe] = {
     "q_synchronous": Recipe(
         summary="standard Q-learning, one rate for all pairs (experiment 1)",
         kind=QLearner,
-        parts=lambda: {"rate": SynchronousRate()},
+        components=lambda: {"rate": SynchronousRate()},
     ),
     "q_asynchronous": Recipe(
         summary="standard Q-learning, each pair its own rate (experiment 1)",
         kind=QLearner,
-        parts=lambda: {"rate": AsynchronousRate()},
+        components=lambda: {"rate": AsynchronousRate()},
     ),
     "q_social": Recipe(
         summary="Q-learning with the social rate (experiments 2 and 3)",
@@ -80,48 +80,48 @@ CATALOG: Mapping[str, Recipe] = {
     "q_trace": Recipe(
         summary="Watkins' Q(lambda), accumulating traces (experiment 3)",
         kind=QLearner,
-        parts=lambda: {"credit": Trace()},
+        components=lambda: {"credit": Trace()},
     ),
     "q_trace_replacing": Recipe(
         summary="Watkins' Q(lambda), replacing traces",
         kind=QLearner,
-        parts=lambda: {"credit": Trace(replacing=True)},
+        components=lambda: {"credit": Trace(replacing=True)},
     ),
     "designated": Recipe(
         summary="credit to the pair before the giver set out (experiment 4)",
         kind=QLearner,
-        parts=lambda: {"credit": Designated()},
+        components=lambda: {"credit": Designated()},
     ),
     "designated_most_recent": Recipe(
         summary="designated credit, the most recent pair",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(heuristic=MostRecent())},
+        components=lambda: {"credit": Designated(heuristic=MostRecent())},
     ),
     "designated_fixed_delay": Recipe(
         summary="designated credit, the pair a fixed delay ago",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(heuristic=FixedDelay())},
+        components=lambda: {"credit": Designated(heuristic=FixedDelay())},
     ),
     "designated_attention": Recipe(
         summary="designated credit, the pair when the giver's attention shifted",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(heuristic=AttentionShift())},
+        components=lambda: {"credit": Designated(heuristic=AttentionShift())},
     ),
     "advice": Recipe(
         summary="designated credit, asking why when in doubt",
         kind=QLearner,
-        parts=lambda ask: {"credit": Designated(heuristic=Advice(ask=ask))},
+        components=lambda ask: {"credit": Designated(heuristic=Advice(ask=ask))},
         needs=("ask",),
     ),
     "designated_swap": Recipe(
         summary="designated credit and SwapRoles, two actors (experiment 5)",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(), "analogy": Propagation()},
+        components=lambda: {"credit": Designated(), "analogy": Propagation()},
     ),
     "designated_remove": Recipe(
         summary="designated credit and SwapRoles and RemoveEntity",
         kind=QLearner,
-        parts=lambda: {
+        components=lambda: {
             "credit": Designated(),
             "analogy": Propagation(operators=(SwapRoles(), RemoveEntity())),
         },
@@ -129,15 +129,15 @@ CATALOG: Mapping[str, Recipe] = {
     "designated_canonical": Recipe(
         summary="designated credit and the canonical form, many actors",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(), "analogy": Canonical()},
+        components=lambda: {"credit": Designated(), "representation": Canonical()},
     ),
     "designated_adaptive": Recipe(
         summary="designated credit and analogy trusted as far as people agree",
         kind=QLearner,
-        parts=lambda: {"credit": Designated(), "analogy": AdaptiveAnalogy()},
+        components=lambda: {"credit": Designated(), "analogy": AdaptiveAnalogy()},
     ),
     "skip_silence": Recipe(
-        summary="Q-learning that skips steps without feedback",
+        summary="Q-learning that skips steps without a touch",
         kind=SkipSilence,
     ),
     "hysteretic": Recipe(
@@ -171,22 +171,22 @@ CATALOG: Mapping[str, Recipe] = {
     "fixed_shift": Recipe(
         summary="Q-learning, credit a constant delay ago",
         kind=QLearner,
-        parts=lambda: {"credit": FixedShift()},
+        components=lambda: {"credit": FixedShift()},
     ),
     "uniform_window": Recipe(
         summary="Q-learning, credit spread over a window",
         kind=QLearner,
-        parts=lambda: {"credit": UniformWindow()},
+        components=lambda: {"credit": UniformWindow()},
     ),
     "delay_density": Recipe(
         summary="Q-learning, credit by TAMER's delay density",
         kind=QLearner,
-        parts=lambda: {"credit": DelayDensity()},
+        components=lambda: {"credit": DelayDensity()},
     ),
     "travel_posterior": Recipe(
         summary="Q-learning, credit by Bayes over when the giver set out",
         kind=QLearner,
-        parts=lambda: {"credit": TravelPosterior()},
+        components=lambda: {"credit": TravelPosterior()},
     ),
     "symmetric": Recipe(
         summary="standard Q-learning, one table tied over the orbit",
@@ -195,17 +195,17 @@ CATALOG: Mapping[str, Recipe] = {
     "full_sharing": Recipe(
         summary="mean touch per place, everybody's opinion pooled",
         kind=FullSharing,
-        parts=lambda: {"credit": Designated()},
+        components=lambda: {"credit": Designated()},
     ),
     "no_sharing": Recipe(
         summary="mean touch per place, each person by itself",
         kind=NoSharing,
-        parts=lambda: {"credit": Designated()},
+        components=lambda: {"credit": Designated()},
     ),
     "hierarchical_thompson": Recipe(
         summary="partial pooling over people, Thompson sampling",
         kind=HierarchicalThompson,
-        parts=lambda: {"credit": Designated()},
+        components=lambda: {"credit": Designated()},
     ),
     "random": Recipe(
         summary="any behavior at any time",
@@ -229,7 +229,7 @@ CATALOG: Mapping[str, Recipe] = {
     "oracle_credit": Recipe(
         summary="social Q-learning, credit to the true cause",
         kind=QLearner,
-        parts=lambda cause: {"credit": OracleCredit(cause=cause)},
+        components=lambda cause: {"credit": OracleCredit(cause=cause)},
         needs=("cause",),
     ),
 }
@@ -263,8 +263,8 @@ def make_learner(
     if missing:
         raise ParameterError(f"learner {name!r} needs {', '.join(missing)}")
     needed = {need: overrides.pop(need) for need in recipe.needs}
-    parts = recipe.parts(**needed) | overrides
-    return cast(Learner, recipe.kind(n_behaviors, rng, **parts))
+    components = recipe.components(**needed) | overrides
+    return cast(Learner, recipe.kind(n_behaviors, rng, **components))
 
 
 def _no_such(what: str, name: str, known: Mapping[str, Any] | frozenset[str]) -> str:

@@ -1,4 +1,4 @@
-"""Parts of a learner as plain data, for studies that write down what they compare.
+"""Components of a learner as plain data, for studies that write down what they compare.
 
 make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
 make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1.2}}))
@@ -9,17 +9,42 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import (
+from learners.analogy import (
+    AdaptiveAnalogy,
     Analogy,
-    Canonical,
     Propagation,
     RemoveEntity,
     SwapRoles,
 )
+from learners.baselines.delay_density import DelayDensity
+from learners.baselines.fixed_shift import FixedShift
+from learners.baselines.travel_posterior import TravelPosterior
+from learners.baselines.uniform_window import UniformWindow
 from learners.credit.rules import Designated, Immediate, Trace
 from learners.errors import ParameterError, UnknownNameError
-from learners.exploration import EpsilonGreedy, Greedy, Softmax, UpperConfidence
+from learners.exploration import (
+    EpsilonGreedy,
+    Greedy,
+    Softmax,
+    Thompson,
+    UpperConfidence,
+)
+from learners.pooling import (
+    AdaptivePooling,
+    FullPooling,
+    HierarchicalPooling,
+    NoPooling,
+)
+from learners.representation import (
+    AudibleViews,
+    Canonical,
+    MarkedSituations,
+    Named,
+    Nameless,
+    PersonViews,
+    Views,
+    ViewSet,
+)
 from learners.tabular.rates import (
     AsynchronousRate,
     ConstantRate,
@@ -27,7 +52,7 @@ from learners.tabular.rates import (
     SynchronousRate,
 )
 
-PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
+COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
     "rate": {
         "constant": ConstantRate,
         "synchronous": SynchronousRate,
@@ -38,12 +63,32 @@ PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "immediate": Immediate,
         "trace": Trace,
         "designated": Designated,
+        "fixed_shift": FixedShift,
+        "uniform_window": UniformWindow,
+        "delay_density": DelayDensity,
+        "travel_posterior": TravelPosterior,
+    },
+    "representation": {
+        "named": Named,
+        "canonical": Canonical,
+        "nameless": Nameless,
+        "marked": MarkedSituations,
+        "view_set": ViewSet,
+        "views": Views,
+        "audible_views": AudibleViews,
+        "person_views": PersonViews,
+    },
+    "pooling": {
+        "none": NoPooling,
+        "full": FullPooling,
+        "hierarchical": HierarchicalPooling,
+        "adaptive": AdaptivePooling,
     },
     "analogy": {
         "none": Analogy,
         "swap": Propagation,
         "swap_remove": partial(Propagation, operators=(SwapRoles(), RemoveEntity())),
-        "canonical": Canonical,
+        "remove": partial(Propagation, operators=(RemoveEntity(),)),
         "adaptive": AdaptiveAnalogy,
     },
     "exploration": {
@@ -51,41 +96,50 @@ PARTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "greedy": Greedy,
         "epsilon_greedy": EpsilonGreedy,
         "upper_confidence": UpperConfidence,
+        "thompson": Thompson,
     },
 }
-"""Setting of a learner -> name -> what makes such a part."""
+"""Setting of a learner -> name -> what makes such a component."""
+
+_CALLED_BEFORE = {("analogy", "canonical"): ("representation", "canonical")}
+"""Setting and name of a component in older configurations -> what they are now."""
 
 
 def made(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns settings for `make_learner` with every named part made.
+    """Returns settings for `make_learner` with every named component made.
 
     Args:
-        settings: By setting. Of those in `PARTS`, a text names a part, and a mapping
-            names it under `name` beside the part's own settings; all else is passed on.
+        settings: By setting. Of those in `COMPONENTS`, a text names a component, and
+            a mapping names it under `name` beside the component's own settings; all
+            else is passed on.
 
     Raises:
-        UnknownNameError: If there is no such part or setting of it.
-        ParameterError: If a setting of a part is out of range.
+        UnknownNameError: If there is no such component or setting of it.
+        ParameterError: If a setting of a component is out of range.
     """
-    return {
-        setting: _part(setting, value) if setting in PARTS else value
-        for setting, value in settings.items()
-    }
+    return dict(_made(setting, value) for setting, value in settings.items())
 
 
-def name_of(setting: str, part: object) -> str:
-    """Returns the first name under which parts of this type are made.
+def name_of(setting: str, component: object) -> str:
+    """Returns the first name under which components of this type are made.
 
     Raises:
         UnknownNameError: If there is none.
     """
-    for name, make in PARTS[setting].items():
-        if type(make()) is type(part):
+    for name, make in COMPONENTS[setting].items():
+        if type(make()) is type(component):
             return name
-    raise UnknownNameError(f"no {setting} is made as {type(part).__name__}")
+    raise UnknownNameError(f"no {setting} is made as {type(component).__name__}")
 
 
-def _part(setting: str, value: object) -> object:
+def _made(setting: str, value: object) -> tuple[str, object]:
+    if isinstance(value, str):
+        setting, value = _CALLED_BEFORE.get((setting, value), (setting, value))
+    made = _component(setting, value) if setting in COMPONENTS else value
+    return setting, made
+
+
+def _component(setting: str, value: object) -> object:
     if isinstance(value, str):
         return _known(setting, value)()
     if not isinstance(value, Mapping):
@@ -100,7 +154,7 @@ def _part(setting: str, value: object) -> object:
 
 
 def _known(setting: str, name: str) -> Callable[..., object]:
-    known = PARTS[setting]
+    known = COMPONENTS[setting]
     if name in known:
         return known[name]
     near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)

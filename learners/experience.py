@@ -10,8 +10,8 @@ from learners.saving import saved
 
 @saved
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Feedback:
-    """One touch as the robot perceives it.
+class Reward:
+    """What a learner is given for one touch, as the robot perceives it.
 
     Attributes:
         value: in [-1, 1]; a caress is positive, a tap negative.
@@ -38,11 +38,11 @@ class Feedback:
 
     def __post_init__(self) -> None:
         if not -1.0 <= self.value <= 1.0:  # catches NaN too
-            raise ExperienceError(f"feedback value {self.value} is not in [-1, 1]")
+            raise ExperienceError(f"reward value {self.value} is not in [-1, 1]")
         if not -1.0 <= self.mood <= 1.0:
             raise ExperienceError(f"mood {self.mood} is not in [-1, 1]")
         if not math.isfinite(self.time):
-            raise ExperienceError(f"feedback time {self.time} is not finite")
+            raise ExperienceError(f"reward time {self.time} is not finite")
         self._check_began("approach", self.approach_began)
         self._check_began("attention", self.attention_began)
 
@@ -69,7 +69,7 @@ class Experience:
             only the behavior changed.
         time: [s] when the entry began.
         next_time: [s] when it ended.
-        feedback: touches felt within the entry, oldest first.
+        rewards: touches felt within the entry, oldest first.
         attended: whether somebody attended to the robot during the entry.
         chosen: False if the behavior just went on while the situation changed.
 
@@ -83,7 +83,7 @@ class Experience:
     next_state: Hashable
     time: float
     next_time: float
-    feedback: tuple[Feedback, ...] = ()
+    rewards: tuple[Reward, ...] = ()
     attended: bool = False
     chosen: bool = True
 
@@ -96,9 +96,9 @@ class Experience:
             raise ExperienceError(
                 f"entry ends at {self.next_time} s, before it began at {self.time} s"
             )
-        for touch in self.feedback:
+        for touch in self.rewards:
             if touch.time > self.next_time:
                 raise ExperienceError(
-                    f"feedback at {touch.time} s comes from the future: the entry "
+                    f"reward at {touch.time} s comes from the future: the entry "
                     f"ends at {self.next_time} s"
                 )

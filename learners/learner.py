@@ -8,43 +8,26 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 from learners.saving import saved
 
 
 @saved
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Share:
-    """What one past pair gets of a feedback.
-
-    Attributes:
-        state: the situation of the pair.
-        action: its behavior.
-        time: [s] when its entry in the history began.
-        weight: eligibility, >= 0; 1 is a full share. Weights need not sum to 1.
-    """
-
-    state: Hashable
-    action: int
-    time: float
-    weight: float
-
-
-@saved
-@dataclass(frozen=True, kw_only=True, slots=True)
 class Credit:
-    """What a learner believes one feedback is about.
+    """What a learner believes one touch, or the lack of any, to be about.
 
     Attributes:
-        feedback: the touch.
-        shares: who gets how much of it, oldest entry first.
-        designated: the pair that it is about above all; None if the credit rule
+        reward: the touch; None for an entry that passed in silence.
+        shares: entries of the history with their eligibility, oldest first. 1 is a
+            full share; shares are above 0 and need not sum to 1.
+        designated: the entry that it is about above all; None if the credit rule
             found none.
     """
 
-    feedback: Feedback
-    shares: tuple[Share, ...]
-    designated: Share | None
+    reward: Reward | None
+    shares: tuple[tuple[Experience, float], ...]
+    designated: Experience | None
 
 
 class Learner(Protocol):

@@ -1,26 +1,28 @@
-"""Q-learning from touches: rate, credit, analogy and exploration, each replaceable."""
+"""Q-learning from touches; its rate, credit, analogy, ... can each be replaced."""
 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from learners.analogy.operators import Analogy
-from learners.checks import check_range
-from learners.errors import ParameterError
-from learners.experience import Experience
-from learners.exploration import Estimates
+from learners.analogy.carrying import Analogy
+from learners.errors import ParameterError, check_range
+from learners.experience import Experience, Reward
+from learners.learner import Credit
+from learners.representation.situations import Named
 from learners.saving import DERIVED, saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.cells import Cell
+from learners.tabular.qtable import QTable
 from learners.tabular.rates import Factors, Rate, SocialRate
-from learners.tabular.updates import q_target, td_error
+from learners.tabular.updates import td_error
 
 
 class Target(NamedTuple):
-    """What one update moves a pair towards.
+    """What one update moves a pair towards, for a team to carry to other robots.
 
     Attributes:
         state: situation of the pair.
+        person: whose part of it; None: nobody's own.
         action: its behavior.
         value: what Q(state, action) moves towards.
         weight: eligibility.
@@ -28,10 +30,33 @@ class Target(NamedTuple):
     """
 
     state: Hashable
+    person: Hashable
     action: int
     value: float
     weight: float
     factors: Factors
+
+
+Aim = tuple[Cell, float]
+"""A cell, and the value that it moves towards."""
+
+
+class Update(NamedTuple):
+    """One update of a pair: where each of its cells moves.
+
+    Attributes:
+        state: situation of the pair.
+        action: its behavior.
+        weight: eligibility.
+        factors: social factors that set the learning rate.
+        aims: its cells, and where each moves.
+    """
+
+    state: Hashable
+    action: int
+    weight: float
+    factors: Factors
+    aims: Sequence[Aim]
 
 
 @saved
@@ -43,7 +68,12 @@ class QLearner(CreditedLearner):
     credit rule shares each touch (or, in silence, a reward of 0) among the entries;
     each share gives a target r + gamma * max Q(s'); the analogy carries the target to
     the analogs; each moves by rate * eligibility * strength, and its visit is counted
-    in `QTable.update`. All targets are worked out before the table changes.
+    with it. All targets are worked out before the table changes.
+
+    Where a representation tells people apart, each person's part has a value of its
+    own, whose reward is that person's touch; what comes after is that person's part in
+    the value of the behavior that is best for all (Q-decomposition: Russell & Zimdars
+    2003, ICML).
 
     Two touches in one entry are two updates, not one of twice the reward, so values
     stay in [-1, 1] / (1 - gamma) (our choice).
@@ -54,17 +84,14 @@ class QLearner(CreditedLearner):
         rate: the learning rate.
         analogy: where else an update goes; the base class knows no analogs.
         initial: value of a pair never updated. 0: neither polite nor impolite.
-        table: values and visits; a team sets it where several robots share one.
-        targets: what the last `learn` moved; for a team to carry to other robots.
     """
 
     gamma: float = field(default=0.1, kw_only=True)
     rate: Rate = field(default_factory=SocialRate, kw_only=True)
     analogy: Analogy = field(default_factory=Analogy, kw_only=True)
     initial: float = field(default=0.0, kw_only=True)
-    table: QTable = field(init=False, repr=False)
-    targets: tuple[Target, ...] = field(
-        init=False, default=(), repr=False, metadata=DERIVED
+    _updates: list[Update] = field(
+        init=False, default_factory=list, repr=False, metadata=DERIVED
     )
 
     def __post_init__(self) -> None:
@@ -72,19 +99,27 @@ class QLearner(CreditedLearner):
         check_range("gamma", self.gamma, 0.0, 1.0)
         if self.gamma == 1.0:
             raise ParameterError("gamma is 1, and values would have no bound")
-        if self.exploration.needs_posterior:
+        by_name = isinstance(self.representation, Named)
+        if self.analogy.between_named_situations and not by_name:
             raise ParameterError(
-                f"{type(self.exploration).__name__} needs a posterior, which a "
-                "QLearner has not; take hierarchical_thompson"
+                f"{type(self.analogy).__name__} is between situations by name; with "
+                f"{type(self.representation).__name__}, people are pooled in its place"
             )
         self.table = QTable(n_behaviors=self.n_behaviors, initial=self.initial)
 
-    def estimates(self, state: Hashable) -> Estimates:
-        """Values and visits of a state, as the analogy sees them."""
-        return Estimates(
-            self.analogy.values(self.table, state),
-            self.analogy.visits(self.table, state),
+    @property
+    def targets(self) -> tuple[Target, ...]:
+        """What the last `learn` moved pairs towards."""
+        return tuple(
+            Target(u.state, cell.person, u.action, value, u.weight, u.factors)
+            for u in self._updates
+            for cell, value in u.aims
         )
+
+    def share(self, other: "QLearner") -> None:
+        """From now on, learn into what another learner of this kind has learned."""
+        super().share(other)
+        self.analogy = other.analogy
 
     def move(self, targets: Sequence[Target], strength: float = 1.0) -> None:
         """Move pairs and their analogs towards their targets.
@@ -94,66 +129,94 @@ class QLearner(CreditedLearner):
             strength: factor on every step, in [0, 1]; below 1 for experience that is
                 another robot's.
         """
-        spread = [self.analogy.spread(target.state) for target in targets]
-        self._move(targets, spread, strength)
+        for state, person, action, value, weight, factors in targets:
+            cells = self.memory.taught(state, person)
+            aims = [(cell, value) for cell in cells]
+            self._move(Update(state, action, weight, factors, aims), strength)
 
-    def _move(
-        self,
-        targets: Sequence[Target],
-        spread: Sequence[Sequence[tuple[Hashable, float]]],
-        strength: float,
-    ) -> None:
-        for target, rows in zip(targets, spread, strict=True):
-            self.table.update(
-                [self._change(target, row, share * strength) for row, share in rows]
-            )
+    def _values(self, state: Hashable) -> Sequence[float]:
+        return self.analogy.values(self.memory, state)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        self.targets = tuple(
-            target for assignment in assignments for target in self._targets(assignment)
-        )
-        spread = [self.analogy.spread(target.state) for target in self.targets]
-        for feedback, weights in assignments:
-            for entry, weight in weights:
-                self.analogy.observe(entry, feedback, weight)
-        self._move(self.targets, spread, 1.0)
+    def _visits(self, state: Hashable) -> Sequence[float]:
+        return self.analogy.visits(self.memory, state)
 
-    def _targets(self, assignment: Assignment) -> list[Target]:
-        feedback, weights = assignment
-        if feedback is None:
-            attended = self.history.entries[-1].attended
-            reward, factors = 0.0, Factors(False, attended, 0.0)
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        self._updates = [
+            update for credit in credits for update in self._updates_of(credit)
+        ]
+        for credit in credits:
+            for entry, weight in credit.shares:
+                self.analogy.observe(entry, credit.reward, weight)
+        for update in self._updates:
+            self._move(update, 1.0)
+
+    def _updates_of(self, credit: Credit) -> list[Update]:
+        reward = credit.reward
+        if reward is None:
+            factors = Factors(False, self.history.entries[-1].attended, 0.0)
         else:
-            reward = feedback.value
-            factors = Factors(True, feedback.attending, feedback.mood)
-        error = self._newest_error(reward) if self.credit.shares_error else None
+            factors = Factors(True, reward.attending, reward.mood)
+        aims = self._traced if self.credit.shares_error else self._aims
         return [
-            Target(e.state, e.action, self._aim(e, reward, error), w, factors)
-            for e, w in weights
+            Update(entry.state, entry.action, weight, factors, aims(entry, credit))
+            for entry, weight in credit.shares
         ]
 
-    def _newest_error(self, reward: float) -> float:
+    def _aims(self, entry: Experience, credit: Credit) -> list[Aim]:
+        """R + gamma * max Q(s'), in each cell by its own person's part of Q(s')."""
+        reward = credit.reward
+        value = 0.0 if reward is None else reward.value
+        following = self._values(entry.next_state)
+        best = max(following)
+        if not self.representation.by_person:
+            cells = self.memory.seen(entry.state).cells
+            return [(cell, value + self.gamma * best) for cell in cells]
+        parts = self.memory.parts(entry.next_state, following.index(best))
+        return [
+            (cell, value + self.gamma * parts.get(cell.person, 0.0))
+            for cell in self._taught(entry, reward)
+        ]
+
+    def _traced(self, entry: Experience, credit: Credit) -> list[Aim]:
+        """Where each cell stands, and the newest pair's error on top of it."""
         newest = self.history.entries[-1]
-        return td_error(self._value(newest), self._aim(newest, reward, None))
+        errors = {
+            cell.person: td_error(self._value(newest, cell), aim)
+            for cell, aim in self._aims(newest, credit)
+        }
+        return [
+            (cell, self._value(entry, cell) + errors[cell.person])
+            for cell in self._taught(entry, credit.reward)
+            if cell.person in errors
+        ]
 
-    def _aim(self, entry: Experience, reward: float, error: float | None) -> float:
-        """What a pair moves towards: by the newest pair's error, else by its own."""
-        if error is not None:
-            return self._value(entry) + error
-        following = self.analogy.values(self.table, entry.next_state)
-        return q_target(reward, self.gamma, following)
+    def _taught(self, entry: Experience, reward: Reward | None) -> tuple[Cell, ...]:
+        if reward is None:
+            return self.memory.seen(entry.state).heard
+        return self.memory.taught(entry.state, reward.giver)
 
-    def _value(self, entry: Experience) -> float:
-        return self.analogy.values(self.table, entry.state)[entry.action]
+    def _value(self, entry: Experience, cell: Cell) -> float:
+        if self.representation.by_person:
+            return self.memory.value(cell, entry.action)
+        return self._values(entry.state)[entry.action]
 
-    def _change(self, target: Target, row: Hashable, strength: float) -> Change:
-        action, share = target.action, target.weight * strength
-        values, visits = self.table.row(row)
-        rate = self.rate(self.table.updates, visits[action], target.factors)
-        error = td_error(values[action], target.value)
-        step = rate * share * self._pace(error, target)
-        return Change(row, action, target.value, step, min(share, 1.0))
+    def _move(self, update: Update, strength: float) -> None:
+        own, *analogs = self.analogy.spread(update.state)
+        moves = {cell: (aim, own[1]) for cell, aim in update.aims}
+        for state, share in analogs:
+            for like, aim in update.aims:
+                for cell in self.memory.alike(state, like):
+                    moves.setdefault(cell, (aim, share))
+        for cell, (aim, share) in moves.items():
+            self._step(cell, update, aim, update.weight * (share * strength))
+        self.table.updates += 1
 
-    def _pace(self, error: float, target: Target) -> float:
+    def _step(self, cell: Cell, update: Update, aim: float, weight: float) -> None:
+        action, (values, visits) = update.action, cell.row
+        rate = self.rate(self.table.updates, visits[action], update.factors)
+        step = rate * weight * self._pace(values[action], aim)
+        self.memory.move(cell, action, aim, step, min(weight, 1.0))
+
+    def _pace(self, value: float, target: float) -> float:
         """Factor on the step of one update; 1 in plain Q-learning."""
         return 1.0

@@ -9,13 +9,12 @@ from typing import Any, Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.analogy.operators import is_state
 from learners.catalog import make_learner
-from learners.checks import check_range
-from learners.errors import ParameterError, UnknownRobotError
+from learners.errors import ParameterError, UnknownRobotError, check_range
 from learners.experience import Experience
 from learners.learner import Credit, Learner
 from learners.qlearner import QLearner
+from learners.representation.states import is_state
 from learners.saving import saved, write
 
 Sharing = Literal["independent", "shared", "carried"]
@@ -73,9 +72,7 @@ class Team:
         if self.sharing == "shared":
             first = self._q_learner(next(iter(self.members)))
             for robot in self.members:
-                member = self._q_learner(robot)
-                member.table, member.network = first.table, first.network
-                member.analogy = first.analogy
+                self._q_learner(robot).share(first)
 
     def member(self, robot: Hashable) -> "Member":
         """One robot's learner, as a learner like any other.

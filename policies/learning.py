@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from household.perception.situation import Situation
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 from learners.learner import Credit, Learner
 from learners.saving import saved
 
 if TYPE_CHECKING:
-    from household.feedback import Feedback as Touch
+    from household.feedback import Feedback
 
 # So that what was learned in a household can be saved.
 saved(Situation)
@@ -54,7 +54,7 @@ class Home(Protocol):
     def behavior_over(self, agent: str, /) -> bool:
         """Whether the robot may choose a new behavior."""
 
-    def feedback(self, agent: str, /) -> Sequence[Touch]:
+    def feedback(self, agent: str, /) -> Sequence[Feedback]:
         """The touches that the robot felt in the last step."""
 
     def attended(self, agent: str, /) -> bool:
@@ -62,8 +62,8 @@ class Home(Protocol):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Entry:
-    """The history entry that a robot is in: a pair that holds since `time`."""
+class Pair:
+    """The pair (situation, behavior) that a robot is in; an experience once over."""
 
     state: Hashable
     """The situation."""
@@ -72,46 +72,35 @@ class Entry:
     """Index of the behavior."""
 
     time: float
-    """When it began. [s]"""
+    """Since when it holds. [s]"""
 
     decision: int
-    """The environment's step count when it began."""
+    """The environment's step count since then."""
 
     chosen: bool
     """False if the behavior went on while the situation changed."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Lesson:
-    """An entry that is over, and what the learner made of it."""
-
-    entry: Entry
-    """The entry as it began."""
-
-    experience: Experience
-    """The entry as the learner was given it."""
-
-    credits: tuple[Credit, ...]
-    """What the learner believed each touch to be about."""
-
-
 class LearningRobot:
-    """Lets a learner choose, and hands it every history entry that is over.
+    """Lets a learner choose, and hands it every pair that is over as an experience.
 
-    The learner chooses anew only when the robot's behavior is over. An entry ends when
+    The learner chooses anew only when the robot's behavior is over. A pair is over when
     the situation changes or a behavior is chosen anew (the history of Table 1).
 
     Attributes:
         learner: The learner; several robots may share one.
-        entry: The entry the robot is in; None before its first choice.
-        lesson: The entry that the last `act` or `finish` ended; None if it ended none.
+        pair: The pair the robot is in; None before its first choice.
+        experience: The pair that the last `act` or `finish` ended; None if it ended
+            none.
+        credits: What the learner believed each touch of that experience to be about.
     """
 
     def __init__(self, learner: Learner) -> None:
         self.learner = learner
-        self.entry: Entry | None = None
-        self.lesson: Lesson | None = None
-        self._felt: list[Feedback] = []
+        self.pair: Pair | None = None
+        self.experience: Experience | None = None
+        self.credits: tuple[Credit, ...] = ()
+        self._felt: list[Reward] = []
         self._attended = False
 
     def act(self, env: Home, agent: str) -> int:
@@ -129,52 +118,50 @@ class LearningRobot:
         if env.decision == 0:
             self._start()
         state = env.situation(agent)
-        over = env.behavior_over(agent) or self.entry is None
+        over = env.behavior_over(agent) or self.pair is None
         self._perceive(env, agent, state, ends=over)
-        if over or self.entry is None:
-            self.entry = _entry(env, state, self.learner.act(state), chosen=True)
-        elif state != self.entry.state:
-            self.entry = _entry(env, state, self.entry.action, chosen=False)
-        return self.entry.action
+        if over or self.pair is None:
+            self.pair = _pair(env, state, self.learner.act(state), chosen=True)
+        elif state != self.pair.state:
+            self.pair = _pair(env, state, self.pair.action, chosen=False)
+        return self.pair.action
 
     def finish(self, env: Home, agent: str) -> None:
-        """Learns from the last step of an episode and ends the entry it is in."""
+        """Learns from the last step of an episode and ends the pair it is in."""
         self._perceive(env, agent, env.situation(agent), ends=True)
-        self.entry = None
+        self.pair = None
 
     def _start(self) -> None:
-        self.entry = None
+        self.pair = None
         self._felt.clear()
         self._attended = False
         self.learner.start_episode()
 
     def _perceive(self, env: Home, agent: str, state: Hashable, *, ends: bool) -> None:
-        """Notes what the last step brought; ends the entry if it is over."""
-        self.lesson = None
-        if self.entry is None:
+        """Notes what the last step brought; ends the pair if it is over."""
+        self.experience, self.credits = None, ()
+        if self.pair is None:
             return
-        self._felt += [perceived(touch) for touch in env.feedback(agent)]
+        self._felt += [reward_of(each) for each in env.feedback(agent)]
         self._attended |= bool(env.attended(agent))
-        if ends or state != self.entry.state:
-            self._learn(self.entry, state, env.time)
+        if ends or state != self.pair.state:
+            self._learn(self.pair, state, env.time)
 
-    def _learn(self, entry: Entry, next_state: Hashable, now: float) -> None:
-        experience = Experience(
-            state=entry.state,
-            action=entry.action,
+    def _learn(self, pair: Pair, next_state: Hashable, now: float) -> None:
+        self.experience = Experience(
+            state=pair.state,
+            action=pair.action,
             next_state=next_state,
-            time=entry.time,
+            time=pair.time,
             next_time=now,
-            feedback=tuple(self._felt),
+            rewards=tuple(self._felt),
             attended=self._attended,
-            chosen=entry.chosen,
+            chosen=pair.chosen,
         )
         self._felt.clear()
         self._attended = False
-        self.learner.learn(experience)
-        self.lesson = Lesson(
-            entry=entry, experience=experience, credits=tuple(self.learner.credits)
-        )
+        self.learner.learn(self.experience)
+        self.credits = tuple(self.learner.credits)
 
 
 class Observer:
@@ -229,21 +216,21 @@ def run_episode(
         observer.finished(env, robots)
 
 
-def perceived(touch: Touch) -> Feedback:
-    """Returns a household's touch as learners know it."""
-    return Feedback(
-        value=touch.value,
-        time=touch.time,
-        giver=touch.giver,
-        attending=touch.attending,
-        mood=touch.mood,
-        approach_began=touch.approach_began,
-        attention_began=touch.attention_began,
+def reward_of(feedback: Feedback) -> Reward:
+    """Returns what a robot felt as what a learner is given for it."""
+    return Reward(
+        value=feedback.value,
+        time=feedback.time,
+        giver=feedback.giver,
+        attending=feedback.attending,
+        mood=feedback.mood,
+        approach_began=feedback.approach_began,
+        attention_began=feedback.attention_began,
     )
 
 
-def _entry(env: Home, state: Hashable, action: int, *, chosen: bool) -> Entry:
-    return Entry(
+def _pair(env: Home, state: Hashable, action: int, *, chosen: bool) -> Pair:
+    return Pair(
         state=state,
         action=action,
         time=env.time,

@@ -10,7 +10,7 @@ from collections.abc import Hashable, Mapping
 from typing import TYPE_CHECKING
 
 from household.compiled.arrays import Floats
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 from policies.learning import Home, LearningRobot, Observer
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from household.feedback import Cause
 
 
-class Truth(Observer):
+class OracleObserver(Observer):
     """Watches one robot's household and answers what oracles ask.
 
     Args:
@@ -51,13 +51,13 @@ class Truth(Observer):
         ended = cause.decision * period + lasts <= cause.time
         return cause.time - period / 2 if ended else cause.time
 
-    def cause(self, feedback: Feedback) -> float | None:
+    def cause(self, reward: Reward) -> float | None:
         """When what a touch is about was in force [s]; None: another robot did it."""
-        return self._causes.get((feedback.giver, feedback.time))
+        return self._causes.get((reward.giver, reward.time))
 
-    def ask(self, feedback: Feedback, candidates: tuple[Experience, ...]) -> int | None:
+    def ask(self, reward: Reward, candidates: tuple[Experience, ...]) -> int | None:
         """Asks the giver "why?"; it points at one of the entries, or at none."""
-        moment = self.cause(feedback)
+        moment = self.cause(reward)
         for index, entry in enumerate(candidates):
             if moment is not None and entry.time <= moment < entry.next_time:
                 return index
@@ -73,7 +73,7 @@ class Truth(Observer):
         del state
         return self._env.simulation.appropriateness(self._robot, on_average=True)
 
-    def tells(self, learner: str, needs: tuple[str, ...]) -> dict[str, object]:
+    def provides(self, learner: str, needs: tuple[str, ...]) -> dict[str, object]:
         """What a learner of the catalog needs to know, by the names that it uses.
 
         Args:

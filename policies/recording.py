@@ -10,7 +10,7 @@ from household.environment import Household
 from household.replay.events import Belief, BeliefShare
 from household.replay.recorder import Recorder
 from learners.learner import Credit
-from policies.learning import Entry, Home, LearningRobot, Observer
+from policies.learning import Home, LearningRobot, Observer, Pair
 
 
 class RecordingObserver(Observer):
@@ -35,12 +35,12 @@ class RecordingObserver(Observer):
         self._watch, self._flush_every = watch, flush_every
         self._episode = 0
         self._recorder: Recorder | None = None
-        self._entries: dict[str, Entry | None] = {}
+        self._pairs: dict[str, Pair | None] = {}
 
     def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Begins a file; one that is open is closed."""
         self.close()
-        self._entries = dict.fromkeys(robots)
+        self._pairs = dict.fromkeys(robots)
         household = cast(Household, getattr(env, "unwrapped", env))
         self._recorder = Recorder(
             household.simulation,
@@ -53,13 +53,13 @@ class RecordingObserver(Observer):
     def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Records what was learned, and what is expected of each behavior now."""
         assert self._recorder is not None
-        self._record_lessons(self._recorder, robots)
-        # Values move when an entry is over; a table may be shared by several robots.
-        if any(robots[name].entry is not last for name, last in self._entries.items()):
+        self._record_credits(self._recorder, robots)
+        # Values move when a pair is over; a table may be shared by several robots.
+        if any(robots[name].pair is not last for name, last in self._pairs.items()):
             for name, robot in robots.items():
-                self._entries[name] = entry = robot.entry
-                if entry is not None:
-                    self._recorder.value(name, robot.learner.q_values(entry.state))
+                self._pairs[name] = pair = robot.pair
+                if pair is not None:
+                    self._recorder.value(name, robot.learner.q_values(pair.state))
 
     def stepped(
         self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
@@ -69,9 +69,9 @@ class RecordingObserver(Observer):
         self._recorder.record()
 
     def finished(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
-        """Records the last lessons and closes the file."""
+        """Records the last beliefs and closes the file."""
         assert self._recorder is not None
-        self._record_lessons(self._recorder, robots)
+        self._record_credits(self._recorder, robots)
         self.close()
 
     def close(self) -> None:
@@ -88,26 +88,27 @@ class RecordingObserver(Observer):
         return path.with_stem(f"{path.stem}_{number}")
 
     @staticmethod
-    def _record_lessons(
+    def _record_credits(
         recorder: Recorder, robots: Mapping[str, LearningRobot]
     ) -> None:
         for name, robot in robots.items():
-            for credit in robot.lesson.credits if robot.lesson is not None else ():
+            for credit in robot.credits:
                 recorder.believe(_belief(name, credit))
 
 
 def _belief(robot: str, credit: Credit) -> Belief:
     """What a learner believes, in the words of the replay."""
     shares = {
-        share: BeliefShare(time=share.time, behavior=share.action, weight=share.weight)
-        for share in credit.shares
+        id(entry): BeliefShare(time=entry.time, behavior=entry.action, weight=weight)
+        for entry, weight in credit.shares
     }
-    meant = credit.designated
+    reward = credit.reward
+    assert reward is not None  # silence is credited, but nobody asks what it is about
     return Belief(
         robot=robot,
-        giver=str(credit.feedback.giver),
-        value=credit.feedback.value,
-        time=credit.feedback.time,
+        giver=str(reward.giver),
+        value=reward.value,
+        time=reward.time,
         shares=tuple(shares.values()),
-        designated=None if meant is None else shares.get(meant),
+        designated=shares.get(id(credit.designated)),
     )

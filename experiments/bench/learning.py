@@ -22,8 +22,8 @@ ACTORS = 4
 
 def updates(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of an update with canonical analogy, against the actors."""
-    from learners.analogy.operators import Canonical
-    from learners.benchmark import microseconds
+    from experiments.bench.updates import microseconds
+    from learners.representation import Canonical
 
     growths = [
         Growth(what="learner's update", against="actors", x=actors)
@@ -35,7 +35,7 @@ def updates(settings: Settings) -> Iterator[Measurement]:
             name=str(actors),
             unit="us",
             values=tuple(
-                float(microseconds(Canonical(), actors, known=True))
+                float(microseconds({"representation": Canonical()}, actors, known=True))
                 for _ in range(min(settings.repetitions, 3))
             ),
             growth=growth,
@@ -98,16 +98,16 @@ def _lived(
     marks: tuple[int, ...], gauge: Callable[[], float]
 ) -> Iterator[tuple[float, float]]:
     """Reads a gauge before and after what is learned up to each mark."""
-    from learners.analogy.operators import Canonical
-    from learners.benchmark import N_BEHAVIORS, crowds, experiences
+    from experiments.bench.updates import N_BEHAVIORS, crowds, experiences
     from learners.credit.rules import Designated
     from learners.qlearner import QLearner
+    from learners.representation import Canonical
 
     rng = np.random.default_rng(0)
     states = crowds(ACTORS, max(marks) + 1, rng)
     lived = list(experiences(states, rng))
     learner = QLearner(
-        N_BEHAVIORS, rng, credit=Designated(), analogy=Canonical(), horizon=60.0
+        N_BEHAVIORS, rng, credit=Designated(), representation=Canonical()
     )
     begin = gauge()
     for first, last in zip((0, *marks), marks, strict=False):

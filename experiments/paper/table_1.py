@@ -13,7 +13,7 @@ from learners.credit.heuristics import BeforeApproach, Heuristic, MostRecent
 from learners.credit.history import History
 from learners.credit.rules import Designated
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 
 SIGMA_STM, SIGMA_RWD = 1.6, 1.0
 """[s] and without unit; inferred from the table (docs/deviations.md, 22)."""
@@ -61,9 +61,7 @@ LINES = tuple(
 )
 """The table as printed, the latest pair first."""
 
-_TOUCH = Feedback(
-    value=-1.0, time=5.5, giver="actor", attending=True, approach_began=0.5
-)
+_TOUCH = Reward(value=-1.0, time=5.5, giver="actor", attending=True, approach_began=0.5)
 
 
 def columns() -> tuple[FloatArray, FloatArray]:

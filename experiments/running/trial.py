@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from household.environment import Household
     from learners.learner import Learner
     from policies.learning import LearningRobot, Observer
-    from policies.oracle import Truth
+    from policies.oracle import OracleObserver
 
 
 def run_trial(trial: Trial, followed: Sequence[Predicate] = ()) -> polars.DataFrame:
@@ -55,12 +55,12 @@ def play(trial: Trial, observers: Sequence[Observer] = ()) -> dict[str, Learning
 
     home_seed, learner_seed = np.random.SeedSequence(trial.seed).spawn(2)
     env = make_home(trial.condition)
-    robots, truths = make_robots(trial.condition, env, learner_seed)
+    robots, oracles = make_robots(trial.condition, env, learner_seed)
     run_episode(
         env,
         robots,
         seed=int(home_seed.generate_state(1)[0]),
-        observers=(*truths, *observers),
+        observers=(*oracles, *observers),
     )
     return robots
 
@@ -83,24 +83,24 @@ def make_robots(
         The robots, and who must watch so that oracles among them are told the truth.
     """
     from policies.learning import LearningRobot
-    from policies.oracle import Truth
+    from policies.oracle import OracleObserver
 
-    robots, truths = {}, []
+    robots, oracles = {}, []
     children = seed.spawn(len(env.possible_agents))
     for agent, child in zip(env.possible_agents, children, strict=True):
-        truths.append(Truth(env, agent))
+        oracles.append(OracleObserver(env, agent))
         learner = make_learner_of(
-            condition, len(env.behaviors), np.random.default_rng(child), truths[-1]
+            condition, len(env.behaviors), np.random.default_rng(child), oracles[-1]
         )
         robots[agent] = LearningRobot(learner)
-    return robots, tuple(truths)
+    return robots, tuple(oracles)
 
 
 def make_learner_of(
     condition: Condition,
     n_behaviors: int = 2,
     rng: np.random.Generator | None = None,
-    truth: Truth | None = None,
+    oracle: OracleObserver | None = None,
 ) -> Learner:
     """Returns a new learner of a condition.
 
@@ -108,20 +108,20 @@ def make_learner_of(
         condition: What it is to be.
         n_behaviors: How many behaviors it chooses from.
         rng: Its random stream; None for a learner that is only looked at.
-        truth: What an oracle may know; None for learners that are none.
+        oracle: What a bound may know; None for learners that are none.
     """
     from learners.catalog import CATALOG, make_learner
     from learners.components import made
 
     name = condition.learner
-    needs = CATALOG[name].needs if name in CATALOG and truth is not None else ()
-    told = truth.tells(name, needs) if truth is not None else {}
+    needs = CATALOG[name].needs if name in CATALOG and oracle is not None else ()
+    known = oracle.provides(name, needs) if oracle is not None else {}
     return make_learner(
         name,
         n_behaviors,
         np.random.default_rng(0) if rng is None else rng,
         **made(condition.learner_overrides),
-        **told,
+        **known,
     )
 
 

@@ -6,6 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
+from operator import itemgetter
 from statistics import fmean
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
@@ -21,8 +22,9 @@ from experiments.running.trial_columns import (
 )
 from experiments.running.value_log import Predicate, ValueLog
 from household.perception.situation import Situation
+from learners.experience import Reward
 from learners.learner import Credit, Learner
-from policies.learning import Entry, Home, LearningRobot, Lesson, Observer
+from policies.learning import Home, LearningRobot, Observer, Pair
 
 if TYPE_CHECKING:
     from household.feedback import Cause, Feedback
@@ -60,7 +62,7 @@ class _Diary:
 
     log: ValueLog
     rows: list[dict[str, Any]] = field(default_factory=list)
-    opened: Entry | None = None
+    opened: Pair | None = None
     opening: dict[str, Any] = field(default_factory=dict)
     touches: list[tuple[Feedback, Cause]] = field(default_factory=list)
     begun: list[float] = field(default_factory=list)
@@ -102,9 +104,9 @@ class TrialTable(Observer):
         """Notes the entries that are over and those that began."""
         for agent, robot in robots.items():
             self._close(_evaluated(env), agent, robot)
-            entry = robot.entry
-            if entry is not None and entry is not self._diaries[agent].opened:
-                self._open(_evaluated(env), agent, robot.learner, entry)
+            pair = robot.pair
+            if pair is not None and pair is not self._diaries[agent].opened:
+                self._open(_evaluated(env), agent, robot.learner, pair)
 
     def stepped(
         self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
@@ -124,56 +126,56 @@ class TrialTable(Observer):
                 learned = diary.log.all_changes(robot.learner)
                 diary.rows[-1]["updates"] += self._updates(learned)
 
-    def _open(self, env: Evaluated, agent: str, learner: Learner, entry: Entry) -> None:
-        diary, situation = self._diaries[agent], cast(Situation, entry.state)
-        key, behavior = self._key(situation), self._behaviors[entry.action]
-        bout = entry.decision if entry.chosen else diary.bouts[-1][0]
-        diary.opened = entry
-        diary.begun.append(entry.time)
+    def _open(self, env: Evaluated, agent: str, learner: Learner, pair: Pair) -> None:
+        diary, situation = self._diaries[agent], cast(Situation, pair.state)
+        key, behavior = self._key(situation), self._behaviors[pair.action]
+        bout = pair.decision if pair.chosen else diary.bouts[-1][0]
+        diary.opened = pair
+        diary.begun.append(pair.time)
         diary.bouts.append((bout, key, behavior))
         diary.opening = {
             "robot": agent,
-            "time": entry.time,
-            "decision": entry.decision,
+            "time": pair.time,
+            "decision": pair.decision,
             "bout": bout,
             "situation": key,
             "behavior": behavior,
-            "chosen": entry.chosen,
+            "chosen": pair.chosen,
             "q": self._named(diary.log.values(learner, situation)),
             "appropriateness": self._named(env.appropriateness(agent).tolist())
-            if entry.chosen
+            if pair.chosen
             else None,
         }
 
     def _close(self, env: Evaluated, agent: str, robot: LearningRobot) -> None:
-        diary, lesson = self._diaries[agent], robot.lesson
-        if lesson is None or lesson.entry is not diary.opened:
+        diary, experience = self._diaries[agent], robot.experience
+        if experience is None:
             return
         reward = sum(touch.value for touch, _ in diary.touches)
         before = diary.rows[-1]["cumulative"] if diary.rows else 0.0
         opinions = list(env.opinion(agent).values())
-        seen = (lesson.experience.state, lesson.experience.next_state)
+        seen = (experience.state, experience.next_state)
         changes = diary.log.changes(robot.learner, cast(Sequence[Situation], seen))
         diary.rows.append(
             diary.opening
             | {
-                "next_time": lesson.experience.next_time,
-                "attended": lesson.experience.attended,
+                "next_time": experience.next_time,
+                "attended": experience.attended,
                 "reward": reward,
                 "cumulative": before + reward,
                 "opinion": fmean(opinions) if opinions else None,
-                "touches": self._touches(diary, lesson),
+                "touches": self._touches(diary, experience.rewards, robot.credits),
                 "updates": self._updates(changes),
             }
         )
         diary.touches = []
 
-    def _touches(self, diary: _Diary, lesson: Lesson) -> list[dict[str, Any]]:
+    def _touches(
+        self, diary: _Diary, rewards: Sequence[Reward], credits: Sequence[Credit]
+    ) -> list[dict[str, Any]]:
         credited = [
-            self._credited(
-                diary, next((c for c in lesson.credits if c.feedback == f), None)
-            )
-            for f in lesson.experience.feedback
+            self._credited(diary, next((c for c in credits if c.reward == r), None))
+            for r in rewards
         ]
         return [
             {
@@ -198,14 +200,14 @@ class TrialTable(Observer):
     def _credited(self, diary: _Diary, credit: Credit | None) -> dict[str, Any]:
         if credit is None:
             return dict.fromkeys(_PAIR)
-        heaviest = max(credit.shares, key=lambda share: share.weight, default=None)
-        share = credit.designated or heaviest
-        if share is None:
+        heaviest, _ = max(credit.shares, key=itemgetter(1), default=(None, 0.0))
+        entry = credit.designated or heaviest
+        if entry is None:
             return dict.fromkeys(_PAIR)
         return {
-            "bout": _at(diary, share.time)["bout"],
-            "situation": self._key(cast(Situation, share.state)),
-            "behavior": self._behaviors[share.action],
+            "bout": _at(diary, entry.time)["bout"],
+            "situation": self._key(cast(Situation, entry.state)),
+            "behavior": self._behaviors[entry.action],
         }
 
     def _updates(

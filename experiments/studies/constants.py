@@ -17,7 +17,7 @@ from household.scenario.behavior import Behavior
 from household.scenario.persona import Persona, load_persona
 from household.scenario.reading import read_scenario
 from household.scenario.scenario import PerceptionModel
-from learners.components import PARTS, name_of
+from learners.components import COMPONENTS, name_of
 
 Keys = tuple[str, ...]
 """Where something stands in nested data; `*` stands for every key or index."""
@@ -140,7 +140,7 @@ def _of_learner(condition: Condition) -> list[Constant]:
     places: list[tuple[object, Keys]] = [
         (learner, (name,)) for name in ("gamma", "horizon")
     ]
-    for setting in PARTS:
+    for setting in COMPONENTS:
         part = getattr(learner, setting)
         places += [(part, (setting, field.name)) for field in dataclasses.fields(part)]
     return [

@@ -15,6 +15,9 @@ from household.perception.canonical import Relation, canonical_order
 PAIRS = {"attends": ">", "near": "near", "hears": "hears"}
 """The relations between two entities, and how they are written."""
 
+View = tuple[Relation, ...]
+"""Pairs (relation, in which to what): what is true of one actor by itself."""
+
 
 @dataclass(frozen=True, slots=True)
 class Situation:
@@ -52,6 +55,29 @@ class Situation:
     def swapped(self, one: str, other: str) -> "Situation":
         """SwapRoles: two actors take each other's place in every relation."""
         return self._renamed({one: other, other: one})
+
+    def views(self) -> tuple[tuple[str, View], ...]:
+        """Every actor with what is true of it when no other actor is looked at.
+
+        Its role, ("plays", role), then its relations to robots, such as ("attends",
+        robot), in order; its own name is left out.
+        """
+        views = {actor: [("plays", role)] for actor, role in self.plays}
+        for one, other in sorted(self.attends):
+            if one in views and other not in views:
+                views[one].append(("attends", other))
+            elif other in views and one not in views:
+                views[other].append(("attended by", one))
+        for relation, pairs in (("near", self.near), ("hears", self.hears)):
+            for actor, robot in sorted(pairs):
+                views[actor].append((relation, robot))
+        return tuple((actor, tuple(view)) for actor, view in views.items())
+
+    def without_names(self) -> "Situation":
+        """The one situation that stands for all that differ from it in names alone."""
+        form = self.canonical()
+        slots = {actor: f"p{i}" for i, actor in enumerate(form.entities)}
+        return form._renamed(slots)
 
     def without(self, entity: str) -> "Situation":
         """RemoveEntity: the same situation with no relation to one entity."""

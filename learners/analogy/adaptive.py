@@ -2,20 +2,21 @@
 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
+from typing import ClassVar
 
-from learners.analogy.operators import Canonical, as_state
-from learners.checks import check_positive, check_range
-from learners.experience import Experience, Feedback
-from learners.saving import saved
-from learners.tabular.qtable import QTable
-from learners.tabular.updates import pooled
-
-_Sums = list[float]
+from learners.analogy.carrying import Analogy
+from learners.errors import check_range
+from learners.experience import Experience, Reward
+from learners.pooling.agreement import Agreement, Sums
+from learners.pooling.partial import pooled
+from learners.representation.states import as_state
+from learners.saving import DERIVED, saved
+from learners.tabular.memory import MEMO_SIZE, Memory, remember
 
 
 @saved
 @dataclass(kw_only=True, eq=False)
-class AdaptiveAnalogy(Canonical):
+class AdaptiveAnalogy(Agreement, Analogy):
     """Partial pooling between actors, by how far they turned out to agree.
 
     Every update goes to the state's own row and to a row of its class under swaps. A
@@ -45,60 +46,56 @@ class AdaptiveAnalogy(Canonical):
             our choice; people mostly keep silent.
     """
 
-    prior_trust: float = 0.5
-    prior_weight: float = 2.0
-    noise: float = 0.5
+    between_named_situations: ClassVar[bool] = True
     silence: float = 0.1
-    _told: dict[Hashable, dict[int, _Sums]] = field(
+    _told: dict[Hashable, dict[int, Sums]] = field(
         default_factory=dict, init=False, repr=False
     )  # row -> behavior -> touches, sum of their values
-    _agreed: dict[Hashable, _Sums] = field(
-        default_factory=dict, init=False, repr=False
-    )  # giver -> sum of value * prediction, sum of prediction ** 2
-    _agreed_all: _Sums = field(
-        default_factory=lambda: [0.0, 0.0], init=False, repr=False
+    _classes: dict[Hashable, Hashable] = field(
+        default_factory=dict, init=False, repr=False, metadata=DERIVED
     )
 
     def __post_init__(self) -> None:
-        check_range("prior_trust", self.prior_trust, 0.0, 1.0)
-        check_positive("prior_weight", self.prior_weight)
-        check_positive("noise", self.noise)
+        super().__post_init__()
         check_range("silence", self.silence, 0.0, 1.0)
 
     def class_row(self, state: Hashable) -> Hashable:
-        """Row of the state's class; apart from the representative's own row."""
-        return ("class", self.key(state))
+        """Row of the state's class; apart from the representative's own row.
 
-    def trust_in(self, giver: Hashable) -> float:
-        """How far a swap with this actor is to be trusted, in [0, 1]."""
-        everybody = _slope(self._agreed_all, self.prior_trust, self.prior_weight)
-        return self._slope_of(self._agreed.get(giver), everybody)
+        Raises:
+            StateError: if the state has no canonical form.
+        """
+        known = self._classes.get(state)
+        if known is None:
+            known = ("class", as_state(state).canonical())
+            remember(self._classes, state, known, MEMO_SIZE)
+        return known
 
     def trust(self, state: Hashable) -> float:
         """How far the analogs of a state are to be trusted, in [0, 1]."""
-        everybody = _slope(self._agreed_all, self.prior_trust, self.prior_weight)
-        known = [self._agreed.get(e) for e in as_state(state).entities]
+        in_all = self.trust_in_all()
         return min(
-            (self._slope_of(agreed, everybody) for agreed in known), default=everybody
+            (self._trust_in(e, in_all) for e in as_state(state).entities),
+            default=in_all,
         )
 
-    def values(self, table: QTable, state: Hashable) -> Sequence[float]:
+    def values(self, memory: Memory, state: Hashable) -> Sequence[float]:
         """The state's own values, drawn towards its class's."""
         trust = self.trust(state)
         told = self._told.get(state, {})
         both = zip(
-            table.values(state), table.values(self.class_row(state)), strict=True
+            memory.values(state), memory.values(self.class_row(state)), strict=True
         )
         return [
             pooled(own, told.get(action, _NOTHING)[0], shared, trust, self.noise)
             for action, (own, shared) in enumerate(both)
         ]
 
-    def visits(self, table: QTable, state: Hashable) -> Sequence[float]:
+    def visits(self, memory: Memory, state: Hashable) -> Sequence[float]:
         """The state's own visits, and of its class's as many as it is trusted."""
         trust = self.trust(state)
         both = zip(
-            table.visits(state), table.visits(self.class_row(state)), strict=True
+            memory.visits(state), memory.visits(self.class_row(state)), strict=True
         )
         return [own + trust * (shared - own) for own, shared in both]
 
@@ -106,33 +103,23 @@ class AdaptiveAnalogy(Canonical):
         """The state's own row and its class's."""
         return ((state, 1.0), (self.class_row(state), 1.0))
 
-    def observe(
-        self, entry: Experience, feedback: Feedback | None, weight: float
-    ) -> None:
+    def observe(self, entry: Experience, reward: Reward | None, weight: float) -> None:
         """Compare a touch, or a silence, with what analogous states were told."""
-        if feedback is None and not entry.attended:
+        if reward is None and not entry.attended:
             return
         prediction = self._others(entry.state, entry.action)
         weight = min(weight, 1.0)
-        if feedback is None:
+        if reward is None:
             if prediction is not None:
                 self._agreed_all[1] += self.silence * weight * prediction**2
             return
         if prediction is not None:
-            agreed = self._agreed.setdefault(feedback.giver, [0.0, 0.0])
-            for sums in (agreed, self._agreed_all):
-                sums[0] += weight * feedback.value * prediction
-                sums[1] += weight * prediction**2
+            self._compare(reward.giver, weight * reward.value, prediction, weight)
         for row in (entry.state, self.class_row(entry.state)):
             behaviors = self._told.setdefault(row, {})
             told = behaviors.setdefault(entry.action, [0.0, 0.0])
             told[0] += weight
-            told[1] += weight * feedback.value
-
-    def _slope_of(self, agreed: _Sums | None, everybody: float) -> float:
-        if agreed is None:
-            return everybody
-        return _slope(agreed, everybody, self.prior_weight)
+            told[1] += weight * reward.value
 
     def _others(self, state: Hashable, action: int) -> float | None:
         """Mean of what the other states of the class were told; None if nothing."""
@@ -146,8 +133,3 @@ class AdaptiveAnalogy(Canonical):
 
 _NOTHING = (0.0, 0.0)  # touches, sum of their values
 _LEAST_TOUCHES = 1e-9  # below, the difference is rounding
-
-
-def _slope(sums: Sequence[float], prior: float, weight: float) -> float:
-    slope = (weight * prior + sums[0]) / (weight + sums[1])
-    return min(max(slope, 0.0), 1.0)

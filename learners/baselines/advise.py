@@ -10,10 +10,10 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
 from learners.errors import ParameterError
-from learners.exploration import Estimates, draw
+from learners.exploration import draw
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
 
 
 @saved
@@ -27,38 +27,34 @@ class Advise(CreditedLearner):
     Attributes:
         consistency: C, how often a touch is meant as it is felt, in (1/2, 1). 0.9: our
             choice.
-        votes: D(s, a), and the touches behind it.
+        table: D(s, a), and the touches behind it.
     """
 
     consistency: float = field(default=0.9, kw_only=True)
-    votes: QTable = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         if not 0.5 < self.consistency < 1.0:
             raise ParameterError(f"consistency is {self.consistency}, not in (1/2, 1)")
-        self.votes = QTable(n_behaviors=self.n_behaviors)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """Probability of each behavior to be the right one."""
-        row = self.votes.row(state)
+        votes = super()._values(state)
         # C^D (1 - C)^(S - D) is, up to a factor, (C / (1 - C))^D.
         odds = math.log(self.consistency / (1.0 - self.consistency))
-        top = max(row.values)
-        weights = [math.exp(odds * (votes - top)) for votes in row.values]
+        top = max(votes)
+        weights = [math.exp(odds * (each - top)) for each in votes]
         total = sum(weights)
-        return Estimates([weight / total for weight in weights], row.visits)
+        return [weight / total for weight in weights]
 
     def act(self, state: Hashable) -> int:
         """A draw from the feedback policy; `exploration` has no part in it."""
-        return draw(self.estimates(state).values, self.rng)
+        return draw(self._values(state), self.rng)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                for entry, weight in weights:
-                    votes = self.votes.values(entry.state)[entry.action]
-                    target = votes + weight * feedback.value
-                    self.votes.update(
-                        [Change(entry.state, entry.action, target, 1.0, weight)]
-                    )
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if (reward := credit.reward) is not None:
+                for entry, weight in credit.shares:
+                    for cell in self.memory.taught(entry.state, reward.giver):
+                        votes = cell.row.values[entry.action] + weight * reward.value
+                        self.memory.move(cell, entry.action, votes, 1.0, weight)

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Feedback
-from learners.exploration import Estimates, Exploration, Greedy
+from learners.experience import Reward
+from learners.exploration import Exploration, Greedy
+from learners.learner import Credit
 from learners.saving import ATTACHED, saved
-from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.base import CreditedLearner
 
 Appropriateness = Callable[[Hashable], NDArray[np.float64]]
 """How appropriate each behavior is in a state, shape (n_behaviors,), in [-1, 1]."""
@@ -26,11 +27,11 @@ Appropriateness = Callable[[Hashable], NDArray[np.float64]]
 class RandomChoice(CreditedLearner):
     """Any behavior at any time; learns nothing."""
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """All the same."""
-        return Estimates([0.0] * self.n_behaviors, [0.0] * self.n_behaviors)
+        return [0.0] * self.n_behaviors
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
+    def _absorb(self, credits: Sequence[Credit]) -> None:
         """Takes no notice."""
 
 
@@ -50,9 +51,10 @@ class Oracle(RandomChoice):
     appropriateness: Appropriateness = field(metadata=ATTACHED, kw_only=True)
     exploration: Exploration = field(default_factory=Greedy, kw_only=True)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """The true appropriateness."""
-        return Estimates(self.appropriateness(state).tolist(), [0.0] * self.n_behaviors)
+        values: list[float] = self.appropriateness(state).tolist()
+        return values
 
 
 @saved
@@ -78,9 +80,10 @@ class BestConstant(Oracle):
         self.total = self.total + self.appropriateness(state)
         return super().act(state)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """The sum so far, the same in every state."""
-        return Estimates(self.total.tolist(), [0.0] * self.n_behaviors)
+        values: list[float] = self.total.tolist()
+        return values
 
 
 @saved
@@ -93,13 +96,13 @@ class OracleCredit(CreditRule):
             touch has no cause (it then goes to no entry).
     """
 
-    cause: Callable[[Feedback], float | None] = field(metadata=ATTACHED)
+    cause: Callable[[Reward], float | None] = field(metadata=ATTACHED)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """1 to the entry in force at the cause."""
-        cause = self.cause(feedback)
+        cause = self.cause(reward)
         if cause is None:
             return Weighing({}, None)
         index = history.in_force(cause)

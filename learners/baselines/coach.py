@@ -9,15 +9,16 @@ real-time form has a constant human delay and an eligibility trace.
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.checks import check_positive, check_range
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Experience, Feedback
-from learners.exploration import Estimates, Exploration, Softmax, softmax
+from learners.errors import check_positive, check_range
+from learners.experience import Reward
+from learners.exploration import Exploration, Softmax, softmax
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.cells import Cell
 
 
 @saved
@@ -38,10 +39,10 @@ class DelayedTrace(CreditRule):
         check_range("decay", self.decay, 0.0, 1.0)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The trace; the entry in force at the delay is the designated one."""
-        newest = history.in_force(feedback.time - self.delay)
+        newest = history.in_force(reward.time - self.delay)
         weights = {newest - back: self.decay**back for back in range(newest + 1)}
         kept = {i: weight for i, weight in weights.items() if weight >= LEAST_WEIGHT}
         return Weighing(kept, newest)
@@ -60,7 +61,7 @@ class Coach(CreditedLearner):
         credit: the delayed trace.
         exploration: the policy itself: a draw from softmax at temperature 1.
         step: learning rate, > 0. 0.5: our choice.
-        preferences: theta(state, behavior), and the feedback behind it.
+        table: theta(state, behavior), and the feedback behind it.
     """
 
     credit: CreditRule = field(default_factory=DelayedTrace, kw_only=True)
@@ -68,36 +69,28 @@ class Coach(CreditedLearner):
         default_factory=lambda: Softmax(temperature=1.0), kw_only=True
     )
     step: float = field(default=0.5, kw_only=True)
-    preferences: QTable = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         check_positive("step", self.step)
-        self.preferences = QTable(n_behaviors=self.n_behaviors)
-
-    def estimates(self, state: Hashable) -> Estimates:
-        """Preferences of the policy, in place of values."""
-        return Estimates(*self.preferences.row(state))
 
     def policy(self, state: Hashable) -> list[float]:
         """Probability of every behavior in a state."""
-        return softmax(self.preferences.values(state), 1.0)
+        return softmax(self._values(state), 1.0)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                for entry, weight in weights:
-                    self._climb(entry, self.step * weight * feedback.value)
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if (reward := credit.reward) is not None:
+                for entry, weight in credit.shares:
+                    policy = self.policy(entry.state)
+                    for cell in self.memory.taught(entry.state, reward.giver):
+                        size = self.step * weight * reward.value
+                        self._climb(cell, entry.action, policy, size)
 
-    def _climb(self, entry: Experience, size: float) -> None:
-        probabilities = self.policy(entry.state)
-        values = self.preferences.values(entry.state)
-        gradient = [float(b == entry.action) - p for b, p in enumerate(probabilities)]
-        self.preferences.update(
-            [
-                Change(
-                    entry.state, b, values[b] + slope, size, float(b == entry.action)
-                )
-                for b, slope in enumerate(gradient)
-            ]
-        )
+    def _climb(
+        self, cell: Cell, action: int, policy: Sequence[float], size: float
+    ) -> None:
+        for behavior, probability in enumerate(policy):
+            chosen = float(behavior == action)
+            target = cell.row.values[behavior] + (chosen - probability)
+            self.memory.move(cell, behavior, target, size, chosen)

@@ -8,11 +8,11 @@ gamma density of human delay, that it was meant for them.
 import math
 from dataclasses import dataclass
 
-from learners.checks import check_positive, check_range
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Reward
 from learners.saving import saved
 
 
@@ -38,12 +38,12 @@ class DelayDensity(CreditRule):
         check_positive("scale", self.scale)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """Each entry's probability of being meant; the likeliest is designated."""
-        latest = history.in_force(feedback.time)
+        latest = history.in_force(reward.time)
         masses = {
-            index: self._mass(feedback.time, entry.time, entry.next_time)
+            index: self._mass(reward.time, entry.time, entry.next_time)
             for index, entry in enumerate(history.entries[: latest + 1])
         }
         total = sum(masses.values())

@@ -6,13 +6,15 @@ feedback": COACH can settle on the wrong policy; E-COACH counts the steps of the
 episode, discounts feedback by gamma^t, and lets the whole episode share in it.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from learners.baselines.coach import Coach, DelayedTrace
-from learners.checks import check_range
 from learners.credit.rules import CreditRule
+from learners.errors import check_range
 from learners.experience import Experience
 from learners.saving import saved
+from learners.tabular.cells import Cell
 
 
 @saved
@@ -55,5 +57,7 @@ class ECoach(Coach):
         super().start_episode()
         self.elapsed = 0
 
-    def _climb(self, entry: Experience, size: float) -> None:
-        super()._climb(entry, size * self.gamma**self.elapsed)
+    def _climb(
+        self, cell: Cell, action: int, policy: Sequence[float], size: float
+    ) -> None:
+        super()._climb(cell, action, policy, size * self.gamma**self.elapsed)

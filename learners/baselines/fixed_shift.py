@@ -6,11 +6,11 @@ ICML, shift every feedback back by one human delay.
 
 from dataclasses import dataclass
 
-from learners.checks import check_range
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Feedback
+from learners.errors import check_range
+from learners.experience import Reward
 from learners.saving import saved
 
 
@@ -29,8 +29,8 @@ class FixedShift(CreditRule):
         check_range("delay", self.delay, 0.0)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """1 to the entry in force then."""
-        index = history.in_force(feedback.time - self.delay)
+        index = history.in_force(reward.time - self.delay)
         return Weighing({index: 1.0}, index)

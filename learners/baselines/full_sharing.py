@@ -3,24 +3,26 @@
 Complete pooling, in the terms of Gelman & Hill (2007), chapter 12.
 """
 
-from collections.abc import Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from learners.baselines.personwise import Personwise
+from learners.expectation import ExpectedTouch
+from learners.pooling.rules import FullPooling, Pooling
+from learners.representation.parts import Representation
+from learners.representation.situations import MarkedSituations
 from learners.saving import saved
 
 
 @saved
 @dataclass(eq=False)
-class FullSharing(Personwise):
-    """A person's expected touch is the mean of everybody's in the same place."""
+class FullSharing(ExpectedTouch):
+    """A person's expected touch is the mean of everybody's in the same place.
 
-    def opinion(
-        self, person: Hashable, place: Hashable, behavior: int
-    ) -> tuple[float, float]:
-        """The mean of all touches given in this place, 0 without any."""
-        told = self.opinions.get((place, behavior), {}).values()
-        touches = sum(n for n, _ in told)
-        if touches == 0.0:
-            return 0.0, 0.0
-        return sum(n * mean for n, mean in told) / touches, 0.0
+    Attributes:
+        representation: the whole situation with the person marked.
+        pooling: full.
+    """
+
+    representation: Representation = field(
+        default_factory=MarkedSituations, kw_only=True
+    )
+    pooling: Pooling = field(default_factory=FullPooling, kw_only=True)

@@ -7,8 +7,8 @@ is bad news, so it too comes slowly.
 
 from dataclasses import dataclass, field
 
-from learners.checks import check_range
-from learners.qlearner import QLearner, Target
+from learners.errors import check_range
+from learners.qlearner import QLearner
 from learners.saving import saved
 from learners.tabular.rates import AsynchronousRate, Rate
 from learners.tabular.updates import hysteretic
@@ -35,5 +35,5 @@ class Hysteretic(QLearner):
         check_range("increase", self.increase, 0.0, 1.0)
         check_range("decrease", self.decrease, 0.0, 1.0)
 
-    def _pace(self, error: float, target: Target) -> float:
-        return hysteretic(error, self.increase, self.decrease)
+    def _pace(self, value: float, target: float) -> float:
+        return hysteretic(value, target, self.increase, self.decrease)

@@ -11,13 +11,15 @@ import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.checks import check_positive, check_range
-from learners.errors import ParameterError
-from learners.exploration import Estimates
+from learners.errors import ParameterError, check_positive, check_range
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
+from learners.tabular.base import CreditedLearner
+from learners.tabular.qtable import QTable
 
-_Counts = list[list[float]]  # per behavior: caresses, taps, silences
+_Counts = tuple[float, float, float]  # caresses, taps, silences
+_CARESS, _TAP, _SILENCE = range(3)
+_KINDS = 3
 
 
 @saved
@@ -37,7 +39,8 @@ class ISabl(CreditedLearner):
         prior: strength of the prior on both silences, in pseudo-counts each way, > 0.
         silence_right: mu+, inferred.
         silence_wrong: mu-, inferred.
-        counts: evidence per state.
+        table: evidence, counted as visits: caresses, taps and silences of the first
+            behavior, then of the second, and so on; values are not used.
         elapsed: entries so far.
     """
 
@@ -46,9 +49,6 @@ class ISabl(CreditedLearner):
     prior: float = field(default=2.0, kw_only=True)
     silence_right: float = field(default=0.5, init=False)
     silence_wrong: float = field(default=0.5, init=False)
-    counts: dict[Hashable, _Counts] = field(
-        default_factory=dict, init=False, repr=False
-    )
     elapsed: int = field(default=0, init=False)
 
     def __post_init__(self) -> None:
@@ -57,32 +57,31 @@ class ISabl(CreditedLearner):
         check_positive("prior", self.prior)
         if not 0.0 < self.error < 0.5:
             raise ParameterError(f"error is {self.error}, not in (0, 1/2)")
+        self.table = QTable(n_behaviors=_KINDS * self.n_behaviors)
 
-    def estimates(self, state: Hashable) -> Estimates:
+    def _values(self, state: Hashable) -> Sequence[float]:
         """Probability of each behavior to be the right one in a state."""
-        counts = self.counts.get(state)
-        if counts is None:
-            even = [1.0 / self.n_behaviors] * self.n_behaviors
-            return Estimates(even, [0.0] * self.n_behaviors)
-        return Estimates(self._posterior(counts), [sum(each) for each in counts])
+        return self._posterior(_by_behavior(self.memory.visits(state)))
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            for entry, weight in weights:
-                if feedback is not None:
-                    kind = 0 if feedback.value >= 0.0 else 1
+    def _visits(self, state: Hashable) -> Sequence[float]:
+        return [sum(each) for each in _by_behavior(self.memory.visits(state))]
+
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            for entry, weight in credit.shares:
+                if (reward := credit.reward) is not None:
+                    cells = self.memory.taught(entry.state, reward.giver)
+                    kind = _CARESS if reward.value >= 0.0 else _TAP
                 elif entry.attended:
-                    kind = 2
+                    cells, kind = self.memory.seen(entry.state).heard, _SILENCE
                 else:
                     continue
-                counts = self.counts.setdefault(entry.state, self._no_counts())
-                counts[entry.action][kind] += weight
+                for cell in cells:
+                    column = _KINDS * entry.action + kind
+                    self.memory.move(cell, column, 0.0, 0.0, weight)
         self.elapsed += 1
         if self.elapsed % self.period == 0:
             self._infer_strategy()
-
-    def _no_counts(self) -> _Counts:
-        return [[0.0, 0.0, 0.0] for _ in range(self.n_behaviors)]
 
     def _likelihoods(self) -> tuple[list[float], list[float]]:
         """Log-probability of caress, tap and silence, if right and if wrong."""
@@ -99,7 +98,7 @@ class ISabl(CreditedLearner):
         ]
         return [math.log(p) for p in if_right], [math.log(p) for p in if_wrong]
 
-    def _posterior(self, counts: _Counts) -> list[float]:
+    def _posterior(self, counts: Sequence[_Counts]) -> list[float]:
         if_right, if_wrong = self._likelihoods()
         # Under the hypothesis "a is right" all others are wrong, so only the gain of a
         # over being wrong itself tells the hypotheses apart.
@@ -115,7 +114,8 @@ class ISabl(CreditedLearner):
     def _infer_strategy(self) -> None:
         """One pass: how often was there silence after right, and after wrong?"""
         silent, spoken = [0.0, 0.0], [0.0, 0.0]
-        for counts in self.counts.values():
+        for _, visits in self.table.rows.values():
+            counts = _by_behavior(visits)
             for p, (caresses, taps, silences) in zip(
                 self._posterior(counts), counts, strict=True
             ):
@@ -127,3 +127,8 @@ class ISabl(CreditedLearner):
             for quiet, loud in zip(silent, spoken, strict=True)
         ]
         self.silence_right, self.silence_wrong = shares
+
+
+def _by_behavior(visits: Sequence[float]) -> list[_Counts]:
+    caresses, taps, silences = (visits[kind::_KINDS] for kind in range(_KINDS))
+    return list(zip(caresses, taps, silences, strict=True))

@@ -8,10 +8,11 @@ sign of the error in hysteretic Q-learning, sets a factor on the rate.
 
 from dataclasses import dataclass, field
 
-from learners.checks import check_range
-from learners.qlearner import QLearner, Target
+from learners.errors import check_range
+from learners.experience import Reward
+from learners.learner import Credit
+from learners.qlearner import QLearner, Update
 from learners.saving import saved
-from learners.tabular.base import Assignment
 from learners.tabular.rates import AsynchronousRate, Rate
 
 
@@ -40,12 +41,12 @@ class SignAsymmetric(QLearner):
         for name in ("caress", "tap", "silence"):
             check_range(name, getattr(self, name), 0.0, 1.0)
 
-    def _targets(self, assignment: Assignment) -> list[Target]:
-        factor = self._factor(assignment)
-        targets = super()._targets(assignment)
-        return [t._replace(weight=t.weight * factor) for t in targets]
+    def _updates_of(self, credit: Credit) -> list[Update]:
+        factor = self._factor(credit.reward)
+        updates = super()._updates_of(credit)
+        return [each._replace(weight=each.weight * factor) for each in updates]
 
-    def _factor(self, assignment: Assignment) -> float:
-        if assignment.feedback is None:
+    def _factor(self, reward: Reward | None) -> float:
+        if reward is None:
             return self.silence
-        return self.caress if assignment.feedback.value >= 0.0 else self.tap
+        return self.caress if reward.value >= 0.0 else self.tap

@@ -8,8 +8,9 @@ granted that people are interchangeable.
 
 from dataclasses import dataclass, field
 
-from learners.analogy.operators import Analogy, Canonical
 from learners.qlearner import QLearner
+from learners.representation.parts import Representation
+from learners.representation.situations import Canonical
 from learners.saving import saved
 from learners.tabular.rates import AsynchronousRate, Rate
 
@@ -20,9 +21,9 @@ class SymmetricQ(QLearner):
     """Standard Q-learning on canonical states.
 
     Attributes:
-        analogy: the canonical form.
+        representation: the canonical form.
         rate: asynchronous by default.
     """
 
-    analogy: Analogy = field(default_factory=Canonical, kw_only=True)
+    representation: Representation = field(default_factory=Canonical, kw_only=True)
     rate: Rate = field(default_factory=AsynchronousRate, kw_only=True)

@@ -5,16 +5,17 @@ framework", K-CAP. No discounting, no bootstrapping: a person already judges wit
 future in mind. The tabular model is a linear one with an indicator per pair.
 """
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from learners.baselines.delay_density import DelayDensity
-from learners.checks import check_range
 from learners.credit.rules import CreditRule
-from learners.exploration import Estimates, Exploration, Greedy
+from learners.errors import check_range
+from learners.exploration import Exploration, Greedy
+from learners.learner import Credit
 from learners.saving import saved
-from learners.tabular.base import Assignment, CreditedLearner
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.base import CreditedLearner
+from learners.tabular.cells import Cell
 
 
 @saved
@@ -30,37 +31,31 @@ class Tamer(CreditedLearner):
         credit: the delay density.
         exploration: greedy, as in the paper.
         step: learning rate, in [0, 1]. 0.2: our choice.
-        model: H, and how much feedback is behind each value.
+        table: H, and how much feedback is behind each value.
     """
 
     credit: CreditRule = field(default_factory=DelayDensity, kw_only=True)
     exploration: Exploration = field(default_factory=Greedy, kw_only=True)
     step: float = field(default=0.2, kw_only=True)
-    model: QTable = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         check_range("step", self.step, 0.0, 1.0)
-        self.model = QTable(n_behaviors=self.n_behaviors)
 
-    def estimates(self, state: Hashable) -> Estimates:
-        """Predicted feedback for each behavior."""
-        return Estimates(*self.model.row(state))
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        for credit in credits:
+            if credit.reward is not None:
+                giver = credit.reward.giver
+                shares = [
+                    (cell, entry.action, weight)
+                    for entry, weight in credit.shares
+                    for cell in self.memory.taught(entry.state, giver)
+                ]
+                self._descend(credit.reward.value, shares)
 
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        for feedback, weights in assignments:
-            if feedback is not None:
-                predicted = sum(
-                    w * self.model.values(e.state)[e.action] for e, w in weights
-                )
-                error = feedback.value - predicted
-                for entry, weight in weights:
-                    value = self.model.values(entry.state)[entry.action]
-                    change = Change(
-                        entry.state,
-                        entry.action,
-                        value + error,
-                        self.step * weight,
-                        weight,
-                    )
-                    self.model.update([change])
+    def _descend(self, felt: float, shares: Sequence[tuple[Cell, int, float]]) -> None:
+        predicted = sum(w * self.memory.value(cell, b) for cell, b, w in shares)
+        error = felt - predicted
+        for cell, behavior, weight in shares:
+            target = cell.row.values[behavior] + error
+            self.memory.move(cell, behavior, target, self.step * weight, weight)

@@ -1,17 +1,18 @@
 """Credit by Bayes: which behavior would have made the giver set out when it did?
 
-Our own rival, in the spirit of the delay densities of Knox & Stone (2009): it adds what
-a home shows, namely when the giver could perceive a behavior and how long the way was.
+Our own baseline, in the spirit of the delay densities of Knox & Stone (2009): it adds
+what a home shows, namely when the giver could perceive a behavior and how long the
+way was.
 """
 
 import math
 from dataclasses import dataclass
 
-from learners.checks import check_positive, check_range
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Experience, Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Experience, Reward
 from learners.saving import saved
 
 
@@ -44,14 +45,14 @@ class TravelPosterior(CreditRule):
         check_range("unseen", self.unseen, 0.0, 1.0)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The posterior; the likeliest entry is the designated one."""
-        set_out = feedback.approach_began
-        set_out = feedback.time if set_out is None else set_out
+        set_out = reward.approach_began
+        set_out = reward.time if set_out is None else set_out
         latest = history.in_force(set_out)
         likelihoods = {
-            index: self._likelihood(history.entries[index], set_out, feedback)
+            index: self._likelihood(history.entries[index], set_out, reward)
             for index in range(latest + 1)
         }
         total = sum(likelihoods.values())
@@ -61,10 +62,8 @@ class TravelPosterior(CreditRule):
         weights = {i: p for i, p in posterior.items() if p >= LEAST_WEIGHT}
         return Weighing(weights, max(weights, key=weights.__getitem__))
 
-    def _likelihood(
-        self, entry: Experience, set_out: float, feedback: Feedback
-    ) -> float:
-        turned = feedback.attention_began
+    def _likelihood(self, entry: Experience, set_out: float, reward: Reward) -> float:
+        turned = reward.attention_began
         seen = turned is not None and turned < min(entry.next_time, set_out)
         first = max(entry.time, turned) if seen and turned is not None else entry.time
         # The delay can be counted from any moment of the entry: take the likeliest.

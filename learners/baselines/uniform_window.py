@@ -6,12 +6,11 @@ high-dimensional state spaces", AAAI, credit a window of 0.2 to 4 s uniformly.
 
 from dataclasses import dataclass
 
-from learners.checks import check_range
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.errors import ParameterError
-from learners.experience import Feedback
+from learners.errors import ParameterError, check_range
+from learners.experience import Reward
 from learners.saving import saved
 
 
@@ -36,10 +35,10 @@ class UniformWindow(CreditRule):
             )
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The share of the window that each entry fills; none if before the history."""
-        begin, end = feedback.time - self.furthest, feedback.time - self.nearest
+        begin, end = reward.time - self.furthest, reward.time - self.nearest
         weights: dict[int, float] = {}
         for index in range(history.in_force(begin), history.in_force(end) + 1):
             entry = history.entries[index]

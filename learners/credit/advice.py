@@ -3,14 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from learners.checks import check_range
 from learners.credit.heuristics import AttentionShift, BeforeApproach, Heuristic
 from learners.credit.history import History
-from learners.errors import ExperienceError, ParameterError
-from learners.experience import Experience, Feedback
+from learners.errors import ExperienceError, ParameterError, check_range
+from learners.experience import Experience, Reward
 from learners.saving import ATTACHED, saved
 
-Ask = Callable[[Feedback, tuple[Experience, ...]], int | None]
+Ask = Callable[[Reward, tuple[Experience, ...]], int | None]
 """Puts the candidate entries before the giver, who points at one of them (its index
 among the candidates) or at none (None: the robot keeps its own first guess)."""
 
@@ -44,16 +43,16 @@ class Advice:
         if not self.heuristics or any(not w > 0.0 for _, w in self.heuristics):
             raise ParameterError("Advice needs heuristics, each with a weight above 0")
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
+    def __call__(self, reward: Reward, history: History) -> int:
         """Index of the entry with most votes, or of the one the giver points at."""
-        first, *others = self._ranked(feedback, history)
+        first, *others = self._ranked(reward, history)
         if not others or first[1] - others[0][1] > self.margin:
             return first[0]
         # Whatever is about as likely as the leader stands for election.
-        rivals = [i for i, share in others if first[1] - share <= self.margin]
-        candidates = sorted([first[0], *rivals])
+        close = [i for i, share in others if first[1] - share <= self.margin]
+        candidates = sorted([first[0], *close])
         self.asked += 1
-        answer = self.ask(feedback, tuple(history.entries[i] for i in candidates))
+        answer = self.ask(reward, tuple(history.entries[i] for i in candidates))
         if answer is None:
             return first[0]
         if not 0 <= answer < len(candidates):
@@ -62,10 +61,10 @@ class Advice:
             )
         return candidates[answer]
 
-    def _ranked(self, feedback: Feedback, history: History) -> list[tuple[int, float]]:
+    def _ranked(self, reward: Reward, history: History) -> list[tuple[int, float]]:
         votes: dict[int, float] = {}
         for heuristic, weight in self.heuristics:
-            index = heuristic(feedback, history)
+            index = heuristic(reward, history)
             votes[index] = votes.get(index, 0.0) + weight
         total = sum(votes.values())
         ranked = sorted(votes.items(), key=lambda vote: -vote[1])

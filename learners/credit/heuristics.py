@@ -1,4 +1,4 @@
-"""Heuristics that designate the pair a feedback is about.
+"""Heuristics that designate the pair a reward is about.
 
 Source: section 3.1 of the paper ("heuristics are modeled as functions that designate a
 recent state-action pair for reward"); which ones is our choice.
@@ -7,17 +7,17 @@ recent state-action pair for reward"); which ones is our choice.
 from dataclasses import dataclass
 from typing import Protocol
 
-from learners.checks import check_positive, check_range
 from learners.credit.history import History
-from learners.experience import Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Reward
 from learners.saving import saved
 
 
 class Heuristic(Protocol):
     """Names one entry of the history."""
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
-        """Index of the entry that the feedback is about.
+    def __call__(self, reward: Reward, history: History) -> int:
+        """Index of the entry that the reward is about.
 
         Raises:
             ExperienceError: if the history is empty.
@@ -30,9 +30,9 @@ class Heuristic(Protocol):
 class MostRecent:
     """The pair in force when the touch was felt."""
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
+    def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        return history.in_force(feedback.time)
+        return history.in_force(reward.time)
 
 
 @saved
@@ -49,9 +49,9 @@ class FixedDelay:
     def __post_init__(self) -> None:
         check_range("delay", self.delay, 0.0)
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
+    def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        return history.in_force(feedback.time - self.delay)
+        return history.in_force(reward.time - self.delay)
 
 
 @saved
@@ -73,11 +73,11 @@ class BeforeApproach:
     def __post_init__(self) -> None:
         check_range("reaction", self.reaction, 0.0)
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
+    def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        if feedback.approach_began is None:
-            return history.in_force(feedback.time)
-        set_out = feedback.approach_began - self.reaction
+        if reward.approach_began is None:
+            return history.in_force(reward.time)
+        set_out = reward.approach_began - self.reaction
         index = history.in_force(set_out)
         entry = history.entries[index]
         chosen_then = entry.chosen and entry.time >= set_out
@@ -103,9 +103,9 @@ class AttentionShift:
     def __post_init__(self) -> None:
         check_positive("reach", self.reach)
 
-    def __call__(self, feedback: Feedback, history: History) -> int:
+    def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        began = feedback.attention_began
-        if began is None or feedback.time - began > self.reach:
-            return history.in_force(feedback.time)
+        began = reward.attention_began
+        if began is None or reward.time - began > self.reach:
+            return history.in_force(reward.time)
         return history.before(began)

@@ -3,8 +3,7 @@
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
-from learners.checks import check_positive
-from learners.errors import ExperienceError
+from learners.errors import ExperienceError, check_positive
 from learners.experience import Experience
 from learners.saving import saved
 
@@ -20,10 +19,10 @@ def _first_kept(entries: list[Experience], oldest_end: float) -> int:
 
 
 def _check_not_older(experience: Experience, first: Experience) -> None:
-    for touch in experience.feedback:
+    for touch in experience.rewards:
         if touch.time < first.time:
             raise ExperienceError(
-                f"feedback at {touch.time} s is older than the history, which begins "
+                f"reward at {touch.time} s is older than the history, which begins "
                 f"at {first.time} s"
             )
 
@@ -65,7 +64,7 @@ class History:
                     f"at {last.next_time} s; call start_episode() if the clock began "
                     "anew"
                 )
-        if experience.feedback:
+        if experience.rewards:
             kept = [*self.entries, experience]
             first = kept[_first_kept(kept, experience.next_time - self.horizon)]
             _check_not_older(experience, first)

@@ -1,15 +1,15 @@
-"""Credit: which past pairs (situation, behavior) a feedback is about."""
+"""Credit: which past pairs (situation, behavior) a reward is about."""
 
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
 
-from learners.checks import check_positive, check_range
 from learners.credit.heuristics import BeforeApproach, Heuristic
 from learners.credit.history import History
 from learners.credit.transitions import SituationNetwork
-from learners.experience import Feedback
+from learners.errors import check_positive, check_range
+from learners.experience import Reward
 from learners.saving import saved
 
 LEAST_WEIGHT = 1e-3
@@ -17,7 +17,7 @@ LEAST_WEIGHT = 1e-3
 
 
 class Weighing(NamedTuple):
-    """How a feedback is shared among the entries of the history.
+    """How a reward is shared among the entries of the history.
 
     Attributes:
         weights: eligibility by entry index, each above 0; a pair that occurs more
@@ -30,7 +30,7 @@ class Weighing(NamedTuple):
 
 
 class CreditRule(ABC):
-    """A rule that shares a feedback among the entries of the history.
+    """A rule that shares a reward among the entries of the history.
 
     Users add their own by implementing `weigh`.
     """
@@ -41,12 +41,12 @@ class CreditRule(ABC):
 
     @abstractmethod
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
-        """Share one feedback; the newest entry is the one that it was felt in.
+        """Share one reward; the newest entry is the one that it was felt in.
 
         Args:
-            feedback: the touch.
+            reward: the touch.
             history: entries, oldest first, the newest included.
             network: transition probabilities learned so far.
 
@@ -55,7 +55,7 @@ class CreditRule(ABC):
         """
 
     def weigh_silence(self, history: History) -> Weighing:
-        """Share the absence of feedback: by default the newest pair's alone."""
+        """Share the absence of a reward: by default the newest pair's alone."""
         newest = len(history) - 1
         return Weighing({newest: 1.0}, newest)
 
@@ -66,7 +66,7 @@ class Immediate(CreditRule):
     """The reward goes to the newest pair (experiments 1 to 3 of the paper)."""
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """All of it to the entry that the touch was felt in."""
         newest = history.in_force(math.inf)
@@ -97,7 +97,7 @@ class Trace(CreditRule):
         check_range("decay", self.decay, 0.0, 1.0)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The trace of every pair; the newest pair is the designated one."""
         newest = history.in_force(math.inf)
@@ -174,13 +174,13 @@ class Designated(CreditRule):
         check_positive("sigma_rwd", self.sigma_rwd)
 
     def weigh(
-        self, feedback: Feedback, history: History, network: SituationNetwork
+        self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """1 to the designated pair, the eligibility function to its neighbors."""
-        designated = self.heuristic(feedback, history)
+        designated = self.heuristic(reward, history)
         weights: dict[int, float] = {}
         for index in range(len(history)):
-            weight = self._weight(index, designated, feedback.value, history, network)
+            weight = self._weight(index, designated, reward.value, history, network)
             if weight >= LEAST_WEIGHT:
                 weights[index] = weight
         return Weighing(weights, designated)

@@ -4,43 +4,40 @@ from abc import ABC, abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
-from typing import NamedTuple, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.checks import check_range
 from learners.credit.history import History
-from learners.credit.rules import CreditRule, Immediate
+from learners.credit.rules import CreditRule, Immediate, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.errors import SavedFileError, UnknownBehaviorError
-from learners.experience import Experience, Feedback
+from learners.errors import (
+    ParameterError,
+    SavedFileError,
+    UnknownBehaviorError,
+    check_range,
+)
+from learners.experience import Experience, Reward
 from learners.exploration import Estimates, Exploration, Softmax
-from learners.learner import Credit, Share
-from learners.saving import load, write
+from learners.learner import Credit
+from learners.pooling.rules import NoPooling, Pooling
+from learners.representation.parts import Representation
+from learners.representation.situations import Named
+from learners.saving import DERIVED, load, write
+from learners.tabular.memory import Memory
+from learners.tabular.qtable import QTable
 
 MOST_WEIGHT = 1e6
 """Beyond any trace that adds up: a weight above it is a rule's mistake."""
-
-
-class Assignment(NamedTuple):
-    """One feedback, or its absence, shared among entries.
-
-    Attributes:
-        feedback: the touch; None for an entry that passed in silence.
-        weights: eligibility by entry.
-    """
-
-    feedback: Feedback | None
-    weights: Sequence[tuple[Experience, float]]
 
 
 @dataclass(eq=False)
 class CreditedLearner(ABC):
     """A learner that credits each touch to past entries and learns from those.
 
-    A subclass says what it makes of the credited touches (`_absorb`) and what it then
-    holds of each behavior (`estimates`).
+    A subclass says what it makes of credited touches (`_absorb`); what it learned is in
+    its table, which it reads and writes through `memory`.
 
     Attributes:
         n_behaviors: number of behaviors, >= 1.
@@ -48,7 +45,11 @@ class CreditedLearner(ABC):
         credit: which entries a touch is about.
         exploration: how a behavior is chosen. Softmax by default, since the people
             of a home change their minds and greed would not notice.
+        representation: which rows of the table a state is kept in.
+        pooling: how far one person is read off others; of no effect where a
+            representation does not tell people apart.
         horizon: [s] how far back a touch can reach, see `History`.
+        table: what was learned, a row for each part of a state.
     """
 
     n_behaviors: int
@@ -56,36 +57,83 @@ class CreditedLearner(ABC):
     _: KW_ONLY
     credit: CreditRule = field(default_factory=Immediate)
     exploration: Exploration = field(default_factory=Softmax)
+    representation: Representation = field(default_factory=Named)
+    pooling: Pooling = field(default_factory=NoPooling)
     horizon: float = 60.0
     history: History = field(init=False, repr=False)
     network: SituationNetwork = field(init=False, repr=False)
+    table: QTable = field(init=False, repr=False)
     _credits: tuple[Credit, ...] = field(init=False, default=(), repr=False)
+    _memory: Memory | None = field(
+        init=False, default=None, repr=False, metadata=DERIVED
+    )
 
     def __post_init__(self) -> None:
         check_range("n_behaviors", self.n_behaviors, 1)
+        if self.exploration.needs_posterior and not self.has_posterior:
+            raise ParameterError(
+                f"{type(self.exploration).__name__} needs a posterior, which a "
+                f"{type(self).__name__} with {type(self.pooling).__name__} has not; "
+                "take hierarchical_thompson"
+            )
         self.history = History(horizon=self.horizon)
         self.network = SituationNetwork()
+        self.table = QTable(n_behaviors=self.n_behaviors)
 
     @property
     def credits(self) -> tuple[Credit, ...]:
         """What the last `learn` believed each of its touches to be about."""
         return self._credits
 
-    @abstractmethod
+    @property
+    def has_posterior(self) -> bool:
+        """Whether `estimates` tells how sure it is of each value."""
+        return False
+
+    @property
+    def memory(self) -> Memory:
+        """The table as it is read and written."""
+        if self._memory is None or self._memory.table is not self.table:
+            self._memory = Memory(self.table, self.representation, self.pooling)
+        return self._memory
+
+    def share(self, other: Self) -> None:
+        """From now on, learn into what another learner of this kind has learned."""
+        self.table, self.network = other.table, other.network
+        self.pooling, self._memory = other.pooling, other.memory
+
     def estimates(self, state: Hashable) -> Estimates:
         """What is known of the behaviors in a state; for reading only."""
+        return Estimates(
+            self._values(state), self._visits(state), self._deviations(state)
+        )
+
+    def _values(self, state: Hashable) -> Sequence[float]:
+        return self.memory.values(state)
+
+    def _visits(self, state: Hashable) -> Sequence[float]:
+        return self.memory.visits(state)
+
+    def _deviations(self, state: Hashable) -> Sequence[float] | None:
+        return self.memory.deviations(state) if self.has_posterior else None
 
     @abstractmethod
-    def _absorb(self, assignments: Sequence[Assignment]) -> None:
-        """Learn from the feedback of the newest entry, shared among entries."""
+    def _absorb(self, credits: Sequence[Credit]) -> None:
+        """Learn from the touches of the newest entry, or from its silence."""
 
     def act(self, state: Hashable) -> int:
         """Choose a behavior, an index in 0 .. n_behaviors - 1."""
-        return self.exploration.choose(self.estimates(state), self.rng)
+        asked = self.exploration
+        estimates = Estimates(
+            self._values(state),
+            self._visits(state) if asked.needs_visits else (),
+            self._deviations(state) if asked.needs_posterior else None,
+        )
+        return asked.choose(estimates, self.rng)
 
     def q_values(self, state: Hashable) -> NDArray[np.float64]:
         """Value of every behavior in a state, shape (n_behaviors,); a copy."""
-        return np.array(self.estimates(state).values, dtype=np.float64)
+        return np.array(self._values(state), dtype=np.float64)
 
     def learn(self, experience: Experience) -> None:
         """Learn from one entry: check it, remember it, credit its touches, absorb them.
@@ -105,6 +153,7 @@ class CreditedLearner(ABC):
                 f"behaviors 0 .. {self.n_behaviors - 1}"
             )
         self.history.check(experience)
+        self.memory.seen(experience.state)  # refused before anything is learned
         exploratory = (
             self.credit.shares_error  # nobody else asks
             and experience.chosen
@@ -112,7 +161,7 @@ class CreditedLearner(ABC):
         )
         self.history.append(experience, exploratory=exploratory)
         self.network.count(experience.state, experience.action, experience.next_state)
-        self._absorb(self._assigned(experience.feedback))
+        self._absorb(self._credited(experience.rewards))
 
     def start_episode(self) -> None:
         """Forget the history but nothing learned: the clock starts anew."""
@@ -123,7 +172,7 @@ class CreditedLearner(ABC):
         """Write all it needs to go on exactly as it would have, atomically.
 
         Raises:
-            SavedFileError: if a state or a part is not registered with `saved`.
+            SavedFileError: if a state or a component is not registered with `saved`.
         """
         write(path, self)
 
@@ -142,33 +191,28 @@ class CreditedLearner(ABC):
         return learner
 
     def _was_exploratory(self, experience: Experience) -> bool:
-        values = self.estimates(experience.state).values
+        values = self._values(experience.state)
         return values[experience.action] < max(values)
 
-    def _assigned(self, feedback: tuple[Feedback, ...]) -> list[Assignment]:
-        entries = self.history.entries
-        if not feedback:
-            self._credits = ()
-            weights = self.credit.weigh_silence(self.history).weights
-            return [Assignment(None, [(entries[i], w) for i, w in weights.items()])]
-        weighed = [(f, *self._weighed(f)) for f in feedback]
-        self._credits = tuple(credit for _, _, credit in weighed)
-        return [Assignment(touch, weights) for touch, weights, _ in weighed]
+    def _credited(self, rewards: tuple[Reward, ...]) -> tuple[Credit, ...]:
+        if rewards:
+            self._credits = tuple(map(self._believed, rewards))
+            return self._credits
+        self._credits = ()
+        weighing = self.credit.weigh_silence(self.history)
+        return (self._credit(None, weighing),)
 
-    def _weighed(
-        self, feedback: Feedback
-    ) -> tuple[list[tuple[Experience, float]], Credit]:
-        entries = self.history.entries
-        weights, designated = self.credit.weigh(feedback, self.history, self.network)
-        shares = {i: _share(entries[i], weights[i]) for i in sorted(weights)}
-        credit = Credit(
-            feedback=feedback,
-            shares=tuple(shares.values()),
-            designated=None if designated is None else shares.get(designated),
+    def _believed(self, reward: Reward) -> Credit:
+        weighing = self.credit.weigh(reward, self.history, self.network)
+        for weight in weighing.weights.values():
+            check_range("the weight that a credit rule gave", weight, 0.0, MOST_WEIGHT)
+        return self._credit(reward, weighing)
+
+    def _credit(self, reward: Reward | None, weighing: Weighing) -> Credit:
+        entries, (weights, designated) = self.history.entries, weighing
+        meant = None if designated not in weights else entries[designated]
+        return Credit(
+            reward=reward,
+            shares=tuple((entries[i], weights[i]) for i in sorted(weights)),
+            designated=meant,
         )
-        return [(entries[i], weights[i]) for i in shares], credit
-
-
-def _share(entry: Experience, weight: float) -> Share:
-    check_range("the weight that a credit rule gave", weight, 0.0, MOST_WEIGHT)
-    return Share(state=entry.state, action=entry.action, time=entry.time, weight=weight)

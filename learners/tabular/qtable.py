@@ -7,28 +7,9 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.checks import check_range
+from learners.errors import check_range
 from learners.saving import saved
 from learners.tabular.updates import moved
-
-
-class Change(NamedTuple):
-    """One value to move.
-
-    Attributes:
-        state: row of the table.
-        action: behavior index.
-        target: what the value moves towards.
-        step: how far, as a share of the way.
-        visits: what it counts as a visit, in [0, 1]; a spread-out update counts in
-            part, so that a trace of a touch does not use up a pair's learning rate.
-    """
-
-    state: Hashable
-    action: int
-    target: float
-    step: float
-    visits: float
 
 
 class Row(NamedTuple):
@@ -37,18 +18,33 @@ class Row(NamedTuple):
     values: list[float]
     visits: list[float]
 
+    def move(self, action: int, target: float, step: float, visits: float) -> None:
+        """Move one value towards a target and count the visit.
+
+        Args:
+            action: behavior index.
+            target: what the value moves towards.
+            step: how far, as a share of the way.
+            visits: what it counts as a visit; a spread-out update counts in part, so
+                that a trace of a touch does not use up a pair's learning rate.
+        """
+        self.values[action] = moved(self.values[action], target, step)
+        self.visits[action] += visits
+
 
 @saved
 @dataclass(kw_only=True, eq=False)
 class QTable:
     """Values Q(state, action) and visits t(state, action) of every state met.
 
-    Rows come into being when they are first written; reading never adds one.
+    A row is a state, or what a representation makes of it. Rows come into being when
+    they are first written (see `learners.tabular.memory`); reading never adds one.
 
     Attributes:
         n_behaviors: number of behaviors, >= 1.
         initial: value of a pair never updated.
-        updates: number of `update` calls so far: t of the synchronous rate.
+        updates: number of updates so far, however many rows each moved: t of the
+            synchronous rate. Whoever moves values counts them.
     """
 
     n_behaviors: int
@@ -78,6 +74,13 @@ class QTable:
         """Visits of a state's pairs, length n_behaviors; for reading only."""
         return self.row(state).visits
 
+    def add(self, state: Hashable) -> Row:
+        """The row of a state that had none, to be written."""
+        row = self.rows[state] = Row(
+            self._unseen.values.copy(), self._unseen.visits.copy()
+        )
+        return row
+
     def array(self, state: Hashable) -> NDArray[np.float64]:
         """Values of a state, shape (n_behaviors,); a copy."""
         return np.array(self.row(state).values)
@@ -93,24 +96,8 @@ class QTable:
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> Self:
-        """The table that `to_data` told of."""
+        """The table that `to_data` gave the data of."""
         table = cls(n_behaviors=data["n_behaviors"], initial=data["initial"])
         table.updates = data["updates"]
         table.rows = {state: Row(*row) for state, row in data["rows"].items()}
         return table
-
-    def update(self, changes: Sequence[Change]) -> None:
-        """Move one pair and its analogs towards their targets, and count the visits.
-
-        One call is one update, however many analogs it is carried to.
-        """
-        for change in changes:
-            row = self.rows.get(change.state)
-            if row is None:
-                row = Row(self._unseen.values.copy(), self._unseen.visits.copy())
-                self.rows[change.state] = row
-            values, visits = row
-            action = change.action
-            values[action] = moved(values[action], change.target, change.step)
-            visits[action] += change.visits
-        self.updates += 1

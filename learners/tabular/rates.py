@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-from learners.checks import check_range
-from learners.errors import ParameterError
+from learners.errors import ParameterError, check_range
 from learners.saving import saved
 
 
@@ -12,10 +11,10 @@ class Factors(NamedTuple):
     """The social factors of one update.
 
     Attributes:
-        rewarded: whether a feedback was given at all.
-        attended: whether the giver attended to the robot; without feedback: whether
+        rewarded: whether a touch was given at all.
+        attended: whether the giver attended to the robot; without a touch: whether
             anybody did.
-        mood: the giver's mood as perceived, in [-1, 1]; 0 without feedback.
+        mood: the giver's mood as perceived, in [-1, 1]; 0 without a touch.
     """
 
     rewarded: bool
@@ -113,7 +112,7 @@ class SocialRate:
 
         w(f) = center - reward * (+-1/2) - attention * (+-1/2) - mood * f.mood / 2
 
-    with + where there was a feedback, or attention. A spread of 0 switches its factor
+    with + where there was a touch, or attention. A spread of 0 switches its factor
     off. By default w is 0.6 for an attending giver's touch, 0.8 for a touch by one who
     looks away, 1.2 for silence under attention and 1.4 for silence unwatched.
 
@@ -124,7 +123,7 @@ class SocialRate:
     Attributes:
         center: mean exponent, > 1/2; 1 is the upper end of the paper's range, so that
             touches learn (w < 1) and silence all but does not (w > 1).
-        reward: spread between no feedback and a feedback, >= 0; the strongest factor,
+        reward: spread between no touch and a touch, >= 0; the strongest factor,
             since silence is mostly not meant as a judgment.
         attention: spread between unattended and attended, >= 0; weaker, since a touch
             is meant even if the giver looks away by then.

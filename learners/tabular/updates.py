@@ -34,45 +34,18 @@ def moved(q_tm1: float, target: float, step: float) -> float:
 
     Source: section 3.1 of the paper, written as Q + alpha * (target - Q).
     """
-    return q_tm1 + step * (target - q_tm1)
+    return q_tm1 + step * td_error(q_tm1, target)
 
 
-def hysteretic(error: float, increase: float, decrease: float) -> float:
-    """Learning-rate factor by the sign of the error: good surprises count more.
+def hysteretic(q_tm1: float, target: float, increase: float, decrease: float) -> float:
+    """Learning-rate factor by the way it goes: good surprises count more.
 
     Args:
-        error: temporal-difference error.
-        increase: factor if the error is >= 0, in [0, 1].
-        decrease: factor if the error is < 0, in [0, 1].
+        q_tm1: the value before.
+        target: what it moves towards.
+        increase: factor if the value was not too high, in [0, 1].
+        decrease: factor if it was too high, in [0, 1].
 
     Source: Matignon, Laurent & Le Fort-Piat (2007), equation 3.
     """
-    return increase if error >= 0.0 else decrease
-
-
-def pooled(
-    own: float, n_own: float, others: float, trust: float, noise: float
-) -> float:
-    """Partial pooling: own experience first, the others' where there is little.
-
-        own + w * (others - own),   w = trust * k / (n_own + k)
-
-    where k = noise * trust / (1 - trust) is how many touches of one's own the others'
-    value is worth. At trust 0 the own value stands alone, at trust 1 the others' does.
-
-    Args:
-        own: value learned in this very state.
-        n_own: touches behind it, >= 0.
-        others: value learned in all analogous states together.
-        trust: how far people agree, in [0, 1].
-        noise: variance of one touch over the variance of tastes, > 0.
-
-    Source: our choice, after the normal hierarchical model (Gelman & Hill 2007, 12.2):
-    with tastes of variance 1, of which people share the part `trust`, one touch with
-    variance `noise`, and an unknown taste guessed at trust * others.
-    """
-    if trust <= 0.0:
-        return own
-    worth = noise * trust
-    weight = trust * worth / (n_own * (1.0 - trust) + worth)
-    return own + weight * (others - own)
+    return increase if target >= q_tm1 else decrease

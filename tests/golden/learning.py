@@ -29,13 +29,13 @@ class Notes(Observer):
 
     def acted(self, env, robots) -> None:
         for agent, robot in robots.items():
-            self.digests.add("actions", robot.entry.action)
-            self.met.setdefault((agent, robot.entry.state))
-            self._note_lesson(robot)
+            self.digests.add("actions", robot.pair.action)
+            self.met.setdefault((agent, robot.pair.state))
+            self._note_credits(robot)
 
     def finished(self, env, robots) -> None:
         for robot in robots.values():
-            self._note_lesson(robot)
+            self._note_credits(robot)
         for agent, state in self.met:
             # Some analogies learn of situations that are never met like this.
             smaller = [state.without(entity) for entity in state.entities]
@@ -43,9 +43,9 @@ class Notes(Observer):
                 values = robots[agent].learner.q_values(each)
                 self.digests.add("values", (agent, of_situation(each), values))
 
-    def _note_lesson(self, robot) -> None:
-        if robot.lesson is not None:
-            credits = [of_credit(credit) for credit in robot.lesson.credits]
+    def _note_credits(self, robot) -> None:
+        if robot.experience is not None:
+            credits = [of_credit(credit) for credit in robot.credits]
             self.digests.add("credits", credits)
 
 

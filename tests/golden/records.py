@@ -27,12 +27,12 @@ def of_cause(cause):
 
 def of_credit(credit):
     """What a learner believes a touch to be about."""
-    felt = credit.feedback
-    shares = [of_share(share) for share in credit.shares]
-    designated = credit.designated and of_share(credit.designated)
+    felt, meant = credit.reward, credit.designated
+    shares = [of_share(*share) for share in credit.shares]
+    designated = meant and next(of_share(*s) for s in credit.shares if s[0] is meant)
     return felt.giver, felt.time, felt.value, shares, designated
 
 
-def of_share(share):
+def of_share(entry, weight):
     """What one past pair gets of a touch."""
-    return of_situation(share.state), share.action, share.time, share.weight
+    return of_situation(entry.state), entry.action, entry.time, weight

@@ -4,7 +4,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from learners import CATALOG, Experience, Feedback, saved
+from learners import CATALOG, Experience, Reward, saved
 
 
 @saved
@@ -14,6 +14,7 @@ class ToyState:
 
     plays: tuple
     looks: frozenset = frozenset()
+    hears: frozenset = frozenset()
 
     @property
     def entities(self):
@@ -35,6 +36,30 @@ class ToyState:
             for order in orders
         )
         return min(forms, key=lambda form: (form.plays, sorted(form.looks)))
+
+    def without_names(self):
+        form = self.canonical()
+        return form.renamed({e: f"p{i}" for i, e in enumerate(form.entities)})
+
+    def views(self):
+        return tuple(
+            (
+                e,
+                (
+                    ("plays", role),
+                    *sorted(
+                        (relation, other)
+                        for relation, pairs in (
+                            ("attends", self.looks),
+                            ("hears", self.hears),
+                        )
+                        for one, other in pairs
+                        if one == e and other not in self.entities
+                    ),
+                ),
+            )
+            for e, role in self.plays
+        )
 
     def renamed(self, names):
         return ToyState(
@@ -59,9 +84,7 @@ def toy():
 @pytest.fixture(scope="session")
 def touch():
     def make(value=1.0, time=0.0, giver="ann", attending=True, **more):
-        return Feedback(
-            value=value, time=time, giver=giver, attending=attending, **more
-        )
+        return Reward(value=value, time=time, giver=giver, attending=attending, **more)
 
     return make
 
@@ -70,11 +93,11 @@ def touch():
 def entry():
     """entry(state, action, time, ...): one second long and followed by itself."""
 
-    def make(state="s", action=0, time=0.0, *feedback, **more):
+    def make(state="s", action=0, time=0.0, *rewards, **more):
         more.setdefault("next_state", state)
         more.setdefault("next_time", time + 1.0)
         return Experience(
-            state=state, action=action, time=time, feedback=feedback, **more
+            state=state, action=action, time=time, rewards=rewards, **more
         )
 
     return make
@@ -96,7 +119,7 @@ def attached():
     return lambda name: {need: world[need] for need in CATALOG[name].needs}
 
 
-def first_candidate(feedback, candidates):
+def first_candidate(reward, candidates):
     return 0
 
 
@@ -104,8 +127,8 @@ def likes_behavior_1(state):
     return np.array([-1.0, 1.0, 0.0])
 
 
-def one_second_before(feedback):
-    return feedback.time - 1.0
+def one_second_before(reward):
+    return reward.time - 1.0
 
 
 @pytest.fixture
@@ -129,7 +152,7 @@ def live(toy):
             felt = ()
             if rng.random() < 0.4:
                 felt = (
-                    Feedback(
+                    Reward(
                         value=1.0 if action == 1 else -1.0,
                         time=time + length,
                         giver=("ann", "bob")[rng.integers(2)],
@@ -148,7 +171,7 @@ def live(toy):
                     next_state=following,
                     time=time,
                     next_time=time + length,
-                    feedback=felt,
+                    rewards=felt,
                     attended=bool(rng.random() < 0.5),
                 )
             )

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from learners import QLearner
+from learners.analogy.carrying import Propagation
 from learners.credit.heuristics import FixedDelay
 from learners.credit.rules import CreditRule, Designated, Trace, Weighing
 from learners.errors import ExperienceError, ParameterError, UnknownBehaviorError
@@ -120,7 +121,7 @@ def test_designated_credit_lands_on_the_designated_pair(make, entry, touch):
     assert learner.q_values("floor").tolist() == [0.0, 0.0]
     (credit,) = learner.credits
     assert credit.designated.state == "phone"
-    assert [(s.state, s.action, s.time, s.weight) for s in credit.shares] == [
+    assert [(e.state, e.action, e.time, w) for e, w in credit.shares] == [
         ("phone", 1, 0.0, 1.0)
     ]
 
@@ -182,7 +183,7 @@ def test_an_entry_out_of_order_is_refused_and_the_table_unchanged(make, entry, t
 
 
 class Broken(CreditRule):
-    def weigh(self, feedback, history, network):
+    def weigh(self, reward, history, network):
         raise ExperienceError("a user's rule that fails")
 
 
@@ -190,7 +191,7 @@ class Broken(CreditRule):
 class Skewed(CreditRule):
     weight: float
 
-    def weigh(self, feedback, history, network):
+    def weigh(self, reward, history, network):
         return Weighing({0: self.weight}, 0)
 
 
@@ -203,7 +204,7 @@ def test_a_credit_rule_with_impossible_weights_is_refused(make, entry, touch, we
 
 
 class Scattered(CreditRule):
-    def weigh(self, feedback, history, network):
+    def weigh(self, reward, history, network):
         return Weighing({}, None)
 
 
@@ -244,3 +245,9 @@ def test_values_are_numpy_arrays_of_all_behaviors(make):
     values = make().q_values("s")
     assert values.shape == (2,)
     assert values.dtype == np.float64
+
+
+def test_an_update_carried_to_analogs_counts_once(rng, toy, entry):
+    learner = QLearner(2, rng, analogy=Propagation())
+    learner.learn(entry(toy("ann reads, bob calls"), 0, 0.0))
+    assert (len(learner.table), learner.table.updates) == (2, 1)

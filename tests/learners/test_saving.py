@@ -1,12 +1,13 @@
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from learners import CATALOG, QLearner, load, make_learner, saved, saving
-from learners.analogy.operators import Propagation
+from learners import CATALOG, QLearner, load, make_learner, saved
+from learners.analogy.carrying import Propagation
 from learners.errors import SavedFileError
-from learners.saving import VERSION, encode
+from learners.saving import VERSION, codec, encode
 
 
 @pytest.mark.parametrize("name", CATALOG)
@@ -179,7 +180,7 @@ def test_a_class_that_is_not_registered_on_loading_is_named(
     learner = QLearner(2, rng)
     learner.learn(entry(Spoken("hush"), 1, 0.0))
     learner.save(tmp_path / "learner.json")
-    monkeypatch.delitem(saving._registry, "Spoken")
+    monkeypatch.delitem(codec._registry, "Spoken")
     with pytest.raises(SavedFileError, match="needs 'Spoken': import it"):
         load(tmp_path / "learner.json")
 
@@ -195,3 +196,18 @@ def test_an_operator_of_ones_own_is_saved_by_its_name(rng, live, tmp_path):
     live(learner, 20, np.random.default_rng(1))
     learner.save(tmp_path / "learner.json")
     assert load(tmp_path / "learner.json").analogy.operators == (as_the_other,)
+
+
+OLDER = Path(__file__).parent / "older"
+"""Learners saved in version 1 of the format, and what they chose from there on."""
+
+CHOSEN = json.loads((OLDER / "expected.json").read_text("utf-8"))
+
+
+@pytest.mark.parametrize("name", CHOSEN)
+def test_a_learner_saved_in_an_older_version_goes_on_as_it_would_have(name, live):
+    learner = load(OLDER / f"{name}.json")
+    ends = learner.history.entries[-1].next_time
+    chosen = live(learner, len(CHOSEN[name]), np.random.default_rng(3), start=ends)
+    assert chosen == CHOSEN[name]
+    assert type(learner) is CATALOG[name].kind

@@ -3,7 +3,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
-from learners.experience import Feedback
+from learners.experience import Reward
 from policies.learning import LearningRobot, Observer, run_episode
 
 
@@ -120,20 +120,20 @@ def test_an_entry_ends_when_the_situation_changes_and_the_behavior_goes_on():
 def test_a_touch_belongs_to_the_entry_in_which_it_was_felt():
     touches = {("robot_0", 2): (Felt(-1.0, 1.5),), ("robot_0", 3): (Felt(0.5, 2.5),)}
     learner = live(ToyHome(["A"] * 5, [True, False, True, False, False], touches))
-    assert [[f.value for f in e.feedback] for e in learner.learned] == [[-1.0], [0.5]]
+    assert [[f.value for f in e.rewards] for e in learner.learned] == [[-1.0], [0.5]]
 
 
 def test_a_touch_in_the_last_step_is_learned_from():
     touches = {("robot_0", 3): (Felt(0.5, 3.0),)}
     learner = live(ToyHome(["A"] * 4, [True, False, False, False], touches))
-    assert [f.value for f in learner.learned[-1].feedback] == [0.5]
+    assert [f.value for f in learner.learned[-1].rewards] == [0.5]
 
 
 def test_a_touch_keeps_all_that_the_robot_saw_of_it():
     felt = Felt(-0.5, 1.0, "bob", False, 0.25, 0.5, 0.75)
     learner = live(ToyHome(["A"] * 2, [True, False], {("robot_0", 1): (felt,)}))
-    assert learner.learned[0].feedback == (
-        Feedback(
+    assert learner.learned[0].rewards == (
+        Reward(
             value=-0.5,
             time=1.0,
             giver="bob",
@@ -181,8 +181,8 @@ def test_several_robots_each_learn_from_their_own_touches():
     )
     learners = {name: Notebook() for name in home.names}
     run_episode(home, {name: LearningRobot(one) for name, one in learners.items()})
-    assert learners["robot_0"].learned[0].feedback == ()
-    assert len(learners["robot_1"].learned[0].feedback) == 1
+    assert learners["robot_0"].learned[0].rewards == ()
+    assert len(learners["robot_1"].learned[0].rewards) == 1
 
 
 class Diary(Observer):
@@ -193,17 +193,17 @@ class Diary(Observer):
         self.lines.append("reset")
 
     def acted(self, env, robots):
-        lesson = robots["robot_0"].lesson
-        self.lines.append(lesson.credits if lesson else "acted")
+        robot = robots["robot_0"]
+        self.lines.append(robot.credits if robot.experience else "acted")
 
     def stepped(self, env, actions, robots):
         self.lines.append(actions["robot_0"])
 
     def finished(self, env, robots):
-        self.lines.append(robots["robot_0"].lesson.entry.decision)
+        self.lines.append(robots["robot_0"].experience.time)
 
 
-def test_observers_see_each_moment_and_each_lesson_once():
+def test_observers_see_each_moment_and_each_experience_once():
     diary = Diary()
     live(ToyHome(["A"] * 4, [True, False, True, False]), [diary])
     assert diary.lines == ["reset", "acted", 0, "acted", 0, (1,), 1, 2]

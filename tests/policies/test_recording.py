@@ -17,8 +17,8 @@ class Notes(Observer):
     def acted(self, env, robots):
         for name, robot in robots.items():
             self._note(env, name, robot)
-            if robot.lesson is not None or env.decision == 0:
-                values = robot.learner.q_values(robot.entry.state)
+            if robot.experience is not None or env.decision == 0:
+                values = robot.learner.q_values(robot.pair.state)
                 self.values.append((name, env.decision, values))
 
     def finished(self, env, robots):
@@ -26,9 +26,9 @@ class Notes(Observer):
             self._note(env, name, robot)
 
     def _note(self, env, name, robot):
-        for credit in robot.lesson.credits if robot.lesson is not None else ():
-            for share in credit.shares:
-                self.credits.append((env.decision, name, credit, share))
+        for credit in robot.credits:
+            for entry, weight in credit.shares:
+                self.credits.append((env.decision, name, credit, entry, weight))
 
 
 @pytest.fixture
@@ -56,15 +56,15 @@ def test_the_file_holds_what_the_learner_believed_of_each_touch(lived, learner):
     notes, replay = lived(learner)
     table = replay.credits
     assert len(notes.credits) == len(table["weight"]) > 10
-    for row, (decision, name, credit, share) in enumerate(notes.credits):
+    for row, (decision, name, credit, entry, weight) in enumerate(notes.credits):
         assert table["decision"][row] == decision
         assert replay.scenario.robot_names[table["robot"][row]] == name
-        assert table["giver"][row] == credit.feedback.giver
-        assert table["touch_time"][row] == credit.feedback.time
-        assert table["time"][row] == share.time
-        assert table["behavior"][row] == share.action
-        assert table["weight"][row] == share.weight
-        assert table["designated"][row] == (credit.designated == share)
+        assert table["giver"][row] == credit.reward.giver
+        assert table["touch_time"][row] == credit.reward.time
+        assert table["time"][row] == entry.time
+        assert table["behavior"][row] == entry.action
+        assert table["weight"][row] == weight
+        assert table["designated"][row] == (credit.designated is entry)
 
 
 @pytest.mark.parametrize("learner", ["q_social", "random", "tamer"])

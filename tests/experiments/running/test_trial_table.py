@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import polars as pl
 import pytest
 
@@ -6,8 +8,7 @@ from experiments.running.study import Condition, Trial
 from experiments.running.trial_columns import key_of, schema
 from experiments.running.trial_table import TrialTable
 from household.perception.situation import Situation
-from learners.experience import Feedback
-from learners.learner import Credit, Share
+from learners.learner import Credit
 from policies.learning import LearningRobot, run_episode
 
 PLAY = Situation.of({"ann": "playing"})
@@ -91,12 +92,11 @@ class Believer:
         return pl.Series([0.0, 0.0]).to_numpy()
 
     def learn(self, experience):
-        first = Share(state=PLAY, action=1, time=0.0, weight=1.0)
-        other = Share(state=PLAY, action=0, time=4.0, weight=0.2)
+        first = replace(experience, action=1, time=0.0)
+        other = replace(experience, action=0, time=experience.time)
         self.credits = tuple(
-            Credit(feedback=touch, shares=(first, other), designated=None)
-            for touch in experience.feedback
-            if isinstance(touch, Feedback)
+            Credit(reward=reward, shares=((first, 1.0), (other, 0.2)), designated=None)
+            for reward in experience.rewards
         )
 
 

@@ -3,10 +3,11 @@ import pytest
 
 from learners import QLearner
 from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import Analogy, Canonical
+from learners.analogy.carrying import Analogy
 from learners.credit.rules import Immediate
 from learners.errors import ParameterError
 from learners.exploration import Softmax
+from learners.representation.situations import Canonical
 
 
 @pytest.fixture
@@ -105,14 +106,14 @@ def people(taste_of_ann, taste_of_bob):
     return {"ann": taste_of_ann, "bob": taste_of_bob}
 
 
-def taps_and_caresses(analogy, tastes, toy, entry, touch, seed):
+def taps_and_caresses(component, tastes, toy, entry, touch, seed):
     """Value of what was done in phase 2, after bob's calls came ann's."""
     rng = np.random.default_rng(seed)
     learner = QLearner(
         3,
         rng,
         gamma=0.0,
-        analogy=analogy,
+        **component,
         credit=Immediate(),
         exploration=Softmax(temperature=0.1),
     )
@@ -141,8 +142,9 @@ def contrary(place, action):
 @pytest.fixture
 def phase_2(toy, entry, touch):
     def mean(kind, tastes):
+        setting = "representation" if kind is Canonical else "analogy"
         runs = [
-            taps_and_caresses(kind(), tastes, toy, entry, touch, seed)
+            taps_and_caresses({setting: kind()}, tastes, toy, entry, touch, seed)
             for seed in range(20)
         ]
         return float(np.mean(runs))

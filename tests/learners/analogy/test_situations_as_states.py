@@ -4,7 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from household.perception.situation import Situation
-from learners.analogy.operators import Propagation, is_state
+from learners.analogy.carrying import Propagation
+from learners.representation.states import is_state
 
 NAMES = ("ann", "bob", "eve", "joe")
 ROLES = ("reading", "calling", "playing")

@@ -3,17 +3,13 @@ import math
 import numpy as np
 import pytest
 
-from learners.analogy.operators import Canonical
 from learners.baselines.advise import Advise
 from learners.baselines.coach import Coach, DelayedTrace
 from learners.baselines.delay_density import DelayDensity
 from learners.baselines.e_coach import ECoach
 from learners.baselines.fixed_shift import FixedShift
-from learners.baselines.full_sharing import FullSharing
-from learners.baselines.hierarchical_thompson import HierarchicalThompson
 from learners.baselines.hysteretic import Hysteretic
 from learners.baselines.i_sabl import ISabl
-from learners.baselines.no_sharing import NoSharing
 from learners.baselines.sign_asymmetric import SignAsymmetric
 from learners.baselines.skip_silence import SkipSilence
 from learners.baselines.symmetric import SymmetricQ
@@ -23,7 +19,8 @@ from learners.baselines.uniform_window import UniformWindow
 from learners.credit.history import History
 from learners.credit.rules import Immediate
 from learners.credit.transitions import SituationNetwork
-from learners.errors import ParameterError, StateError
+from learners.errors import ParameterError
+from learners.representation.situations import Canonical
 from learners.tabular.rates import ConstantRate
 
 HALF = {"gamma": 0.0, "rate": ConstantRate(alpha=0.5)}
@@ -38,8 +35,8 @@ def history(entry):
     return history
 
 
-def weigh(rule, feedback, history):
-    return rule.weigh(feedback, history, SituationNetwork())
+def weigh(rule, reward, history):
+    return rule.weigh(reward, history, SituationNetwork())
 
 
 def test_skipping_silence_forgets_nothing(entry, touch, rng):
@@ -173,7 +170,7 @@ def test_tamer_shares_the_error_among_entries(entry, touch, rng):
 def test_tamer_does_not_learn_from_silence(entry, rng):
     learner = Tamer(2, rng)
     learner.learn(entry("s", 0, 0.0))
-    assert len(learner.model) == 0
+    assert len(learner.table) == 0
 
 
 def test_coach_moves_along_the_gradient_of_the_policy(entry, touch, rng):
@@ -245,77 +242,15 @@ def test_i_sabl_learns_that_those_who_only_punish_approve_by_silence(entry, touc
 def test_i_sabl_makes_nothing_of_silence_when_nobody_attends(entry, rng):
     learner = ISabl(2, rng)
     learner.learn(entry("s", 0, 0.0))
-    assert learner.counts == {}
+    assert len(learner.table) == 0
 
 
 def test_symmetric_q_ties_the_orbit(toy, entry, touch, rng):
     learner = SymmetricQ(2, rng, **HALF)
-    assert isinstance(learner.analogy, Canonical)
+    assert learner.representation == Canonical()
     state = toy("ann reads, bob calls")
     learner.learn(entry(state, 1, 0.0, touch(value=-1.0, time=1.0)))
     assert learner.q_values(state.swapped("ann", "bob"))[1] == -0.5
-
-
-@pytest.fixture
-def told(toy, entry, touch):
-    """Lets a learner hear: bob calls and taps twice, ann calls and caresses once."""
-
-    def tell(learner):
-        phone = toy("ann reads, bob calls")
-        swapped = phone.swapped("ann", "bob")
-        tap = {"value": -1.0, "giver": "bob"}
-        learner.learn(entry(phone, 0, 0.0, touch(time=1.0, **tap)))
-        learner.learn(entry(phone, 0, 1.0, touch(time=2.0, **tap)))
-        learner.learn(entry(swapped, 0, 2.0, touch(time=3.0, giver="ann")))
-        return learner, phone, swapped
-
-    return tell
-
-
-def test_without_sharing_each_person_is_heard_alone(told, rng):
-    learner, phone, swapped = told(NoSharing(2, rng))
-    assert learner.q_values(phone).tolist() == [-1.0, 0.0]
-    assert learner.q_values(swapped).tolist() == [1.0, 0.0]
-
-
-def test_with_full_sharing_all_in_one_place_are_one_person(told, rng):
-    learner, phone, swapped = told(FullSharing(2, rng))
-    for state in (phone, swapped):
-        assert learner.q_values(state) == pytest.approx([-1 / 3, 0.0])
-
-
-def test_opinions_of_all_in_the_situation_add_up(told, rng, entry, touch):
-    learner, phone, _ = told(NoSharing(2, rng))
-    learner.learn(entry(phone, 0, 3.0, touch(value=0.5, time=4.0, giver="ann")))
-    assert learner.q_values(phone).tolist() == [-0.5, 0.0]  # bob -1, the reader +0.5
-
-
-def test_a_touch_by_somebody_who_is_not_there_has_no_place(told, rng, entry, touch):
-    learner, phone, _ = told(NoSharing(2, rng))
-    learner.learn(entry(phone, 1, 3.0, touch(value=0.5, time=4.0, giver="guest")))
-    assert learner.q_values(phone).tolist() == [-1.0, 0.0]
-
-
-def test_the_hierarchical_posterior_worked_by_hand(told, rng):
-    learner = HierarchicalThompson(2, rng, population=1.0, person=1.0, touch=1.0)
-    learner, phone, _ = told(learner)
-    # bob: 2 touches, weight 1 / (1 + 1/2) = 2/3; ann: 1 touch, 1 / (1 + 1) = 1/2
-    # precision of the mean 1 + 2/3 + 1/2 = 13/6; mean (-2/3 + 1/2) / (13/6) = -1/13
-    place = learner.place(phone, "bob")
-    bob = learner.opinion("bob", place, 0)
-    # own precision 1 + 2 = 3: 2/3 of the own mean, 1/3 of the common one
-    assert bob == pytest.approx((-2 / 3 - 1 / 39, 1 / 3 + 1 / 9 * 6 / 13))
-    stranger = learner.opinion("eve", place, 0)
-    assert stranger == pytest.approx((-1 / 13, 1 + 6 / 13))
-    assert learner.opinion("eve", place, 1) == pytest.approx((0.0, 2.0))
-    # the reader has never been heard: a mean of 0 and a variance of 2 beside bob's
-    deviations = learner.estimates(phone).deviations
-    assert deviations[0] == pytest.approx((bob[1] + 2.0) ** 0.5)
-
-
-def test_personwise_learners_need_states_with_people(rng):
-    with pytest.raises(StateError):
-        NoSharing(2, rng).act("no people")
 
 
 @pytest.mark.parametrize(
@@ -328,25 +263,15 @@ def test_personwise_learners_need_states_with_people(rng):
         lambda rng: ECoach(2, rng, episode=0),
         lambda rng: Advise(2, rng, consistency=0.5),
         lambda rng: ISabl(2, rng, error=0.5),
-        lambda rng: HierarchicalThompson(2, rng, person=0.0),
         lambda _: FixedShift(delay=-1.0),
         lambda _: UniformWindow(nearest=2.0, furthest=1.0),
         lambda _: DelayDensity(shape=0),
         lambda _: TravelPosterior(unseen=1.1),
     ],
 )
-def test_a_rival_out_of_range_is_refused(make, rng):
+def test_a_baseline_out_of_range_is_refused(make, rng):
     with pytest.raises(ParameterError):
         make(rng)
-
-
-def test_a_place_tells_who_plays_what_but_not_the_names(toy, rng):
-    learner = NoSharing(2, rng)
-    phone = toy("ann reads, bob calls, eve plays", "bob robot")
-    for e1, e2 in (("ann", "bob"), ("bob", "eve"), ("ann", "eve")):
-        swapped = phone.swapped(e1, e2)
-        assert learner.place(swapped, e2) == learner.place(phone, e1)
-        assert learner.place(swapped, e1) != learner.place(phone, e1)
 
 
 @pytest.mark.parametrize("rule", [TravelPosterior(), DelayDensity()])

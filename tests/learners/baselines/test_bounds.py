@@ -45,12 +45,12 @@ def test_oracle_credit_goes_to_the_true_cause(entry, touch):
     history = History()
     for time, state in enumerate("abc"):
         history.append(entry(state, 0, float(time)))
-    rule = OracleCredit(cause=lambda feedback: feedback.time - 2.0)
+    rule = OracleCredit(cause=lambda reward: reward.time - 2.0)
     assert rule.weigh(touch(time=3.0), history, SituationNetwork()) == ({1: 1.0}, 1)
 
 
 def test_a_touch_without_a_cause_is_credited_to_nothing(entry, touch):
     history = History()
     history.append(entry())
-    rule = OracleCredit(cause=lambda feedback: None)
+    rule = OracleCredit(cause=lambda reward: None)
     assert rule.weigh(touch(time=1.0), history, SituationNetwork()) == ({}, None)

@@ -15,7 +15,7 @@ def history(entry):
 
 
 def pointing_at(state):
-    def ask(feedback, candidates):
+    def ask(reward, candidates):
         return [entry.state for entry in candidates].index(state)
 
     return ask

@@ -52,8 +52,8 @@ def paper_network():
     return network
 
 
-def column(rule, feedback, history, network):
-    weights = rule.weigh(feedback, history, network).weights
+def column(rule, reward, history, network):
+    weights = rule.weigh(reward, history, network).weights
     newest_first = range(len(history) - 1, -1, -1)
     return [round(weights.get(index, 0.0), 3) for index in newest_first]
 

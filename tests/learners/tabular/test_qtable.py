@@ -2,22 +2,16 @@ import numpy as np
 import pytest
 
 from learners.errors import ParameterError
-from learners.tabular.qtable import Change, QTable
+from learners.tabular.qtable import QTable
 
 
 def test_an_update_moves_a_value_and_counts_its_visit():
     table = QTable(n_behaviors=2)
-    table.update([Change("s", 1, target=1.0, step=0.25, visits=1.0)])
-    table.update([Change("s", 1, target=1.0, step=0.5, visits=0.5)])
+    row = table.add("s")
+    row.move(1, target=1.0, step=0.25, visits=1.0)
+    row.move(1, target=1.0, step=0.5, visits=0.5)
     assert table.values("s") == [0.0, 0.625]
     assert table.visits("s") == [0.0, 1.5]
-
-
-def test_an_update_carried_to_analogs_counts_once():
-    table = QTable(n_behaviors=2)
-    table.update([Change(state, 0, 1.0, 1.0, 1.0) for state in ("s", "t")])
-    assert table.updates == 1
-    assert table.values("t") == [1.0, 0.0]
 
 
 def test_reading_changes_nothing():
@@ -30,7 +24,7 @@ def test_reading_changes_nothing():
 
 def test_an_array_of_values_is_a_copy():
     table = QTable(n_behaviors=2)
-    table.update([Change("s", 0, 1.0, 1.0, 1.0)])
+    table.add("s").move(0, target=1.0, step=1.0, visits=1.0)
     table.array("s")[0] = 9.0
     np.testing.assert_array_equal(table.array("s"), [1.0, 0.0])
 

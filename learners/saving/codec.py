@@ -1,4 +1,4 @@
-"""Saving without pickle: values as tagged JSON, stamped with a version and a digest.
+"""Values as tagged JSON and back.
 
 A saved class is registered with `@saved`. Dataclasses need nothing more; any other
 class (a state, say) provides `to_data()` and the class method `from_data(data)`, built
@@ -8,20 +8,16 @@ but given again to `load`; a field with `metadata=DERIVED` is computed anew.
 """
 
 import dataclasses
-import hashlib
 import json
-import os
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
 
 import numpy as np
 
 from learners.errors import SavedFileError
+from learners.saving.older import upgraded
 
-FORMAT = "household-learner"
-VERSION = 1
 ATTACHED: Mapping[str, bool] = {"attached": True}
 DERIVED: Mapping[str, bool] = {"derived": True}
 
@@ -41,61 +37,6 @@ def saved(thing: _T) -> _T:
         raise ValueError(f"two saved things are called {thing.__name__!r}")
     _registry[thing.__name__] = thing
     return thing
-
-
-def write(path: str | Path, learner: object) -> None:
-    """Write a learner to a file, whole or not at all.
-
-    Raises:
-        SavedFileError: if it holds something that is not registered with `saved`.
-    """
-    payload = json.dumps(encode(learner), separators=(",", ":"))
-    header = {"format": FORMAT, "version": VERSION, "sha256": _digest(payload)}
-    path = Path(path)
-    unfinished = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        with unfinished.open("w", encoding="utf-8", newline="\n") as file:
-            file.write(f"{json.dumps(header)}\n{payload}\n")
-            file.flush()
-            os.fsync(file.fileno())
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-
-
-def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what was saved
-    """Read what `write` wrote; the learner goes on exactly where the saved one was.
-
-    Args:
-        path: the file.
-        **attached: callables that are not written, by the name of their field, such
-            as `ask` of the credit rule Advice.
-
-    Raises:
-        SavedFileError: if the file is damaged, cut short, of another version or not a
-            saved learner, or if a class or a callable it needs is missing.
-    """
-    try:
-        header_line, payload, end = Path(path).read_text("utf-8").split("\n")
-        header = json.loads(header_line)
-        name, version, digest = (header[k] for k in ("format", "version", "sha256"))
-    except (UnicodeDecodeError, ValueError, KeyError, TypeError) as error:
-        raise SavedFileError(f"{path} is not a saved learner, or cut short") from error
-    if name != FORMAT:
-        raise SavedFileError(f"{path} is not a saved learner: its format is {name!r}")
-    if version != VERSION:
-        raise SavedFileError(
-            f"{path} was saved in version {version} of the format; this is {VERSION}"
-        )
-    if end or digest != _digest(payload):
-        raise SavedFileError(
-            f"{path} is damaged: its content does not match its digest"
-        )
-    return _Decoder(attached).decode(json.loads(payload))
-
-
-def _digest(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def encode(value: Any) -> Any:  # noqa: ANN401 - any saved value, as JSON
@@ -154,11 +95,17 @@ _ENCODERS: dict[type, Callable[[Any], Any]] = {
 }
 
 
-class _Decoder:
-    """Turns tagged JSON back into values, with what is attached to them."""
+class Decoder:
+    """Turns tagged JSON back into values, with what is attached to them.
 
-    def __init__(self, attached: Mapping[str, object]) -> None:
+    Args:
+        attached: callables that are not written, by the name of their field.
+        older: whether the JSON is of an older version of the format.
+    """
+
+    def __init__(self, attached: Mapping[str, object], *, older: bool = False) -> None:
         self._attached = attached
+        self._older = older
         self._by_tag: dict[str, Callable[[dict[str, Any]], Any]] = {
             "tuple": lambda data: tuple(map(self.decode, data["tuple"])),
             "dict": lambda data: {
@@ -172,6 +119,11 @@ class _Decoder:
         }
 
     def decode(self, data: Any) -> Any:  # noqa: ANN401 - any saved value
+        """The value that `encode` made this JSON of.
+
+        Raises:
+            SavedFileError: if a class or a callable that it needs is missing.
+        """
         if isinstance(data, list):
             return [self.decode(item) for item in data]
         if isinstance(data, dict):
@@ -192,10 +144,13 @@ class _Decoder:
         return np.random.Generator(bits)
 
     def _object(self, data: dict[str, Any]) -> Any:  # noqa: ANN401 - any registered one
-        cls = self._registered(data["object"])
+        name, raw = data["object"], data["data"]
+        if self._older:
+            name, raw = upgraded(name, raw)
+        cls = self._registered(name)
         if hasattr(cls, "from_data"):
-            return cls.from_data(self.decode(data["data"]))
-        values = {name: self.decode(value) for name, value in data["data"].items()}
+            return cls.from_data(self.decode(raw))
+        values = {name: self.decode(value) for name, value in raw.items()}
         for each in dataclasses.fields(cls):
             if each.metadata.get("attached"):
                 values[each.name] = self._attachment(cls, each.name)

@@ -1,22 +1,23 @@
 """How long an update takes, against the number of actors and the analogy.
 
-Run with `python -m learners.benchmark`; the table goes into docs/learners.md.
+Run with `python -m experiments.bench.updates`; the table goes into docs/learners.md.
 """
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from learners.analogy import Propagation
 from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.analogy.operators import Analogy, Canonical, Propagation
 from learners.credit.rules import Designated
-from learners.experience import Experience, Feedback
+from learners.experience import Experience, Reward
 from learners.qlearner import QLearner
+from learners.representation import Canonical
 
 ROLES = ("entering", "working", "reading", "sleeping", "playing", "calling", "unknown")
 N_BEHAVIORS = 4
@@ -81,7 +82,7 @@ def experiences(
     """One entry after the other through the states, a touch every few of them."""
     for index, (state, next_state) in enumerate(pairwise(states)):
         begin, end = index * ENTRY, (index + 1) * ENTRY
-        touch = Feedback(
+        touch = Reward(
             value=float(rng.choice((-1.0, 1.0))),
             time=end,
             giver=state.entities[0],
@@ -94,17 +95,17 @@ def experiences(
             next_state=next_state,
             time=begin,
             next_time=end,
-            feedback=(touch,) if index % TOUCH_EVERY == 0 else (),
+            rewards=(touch,) if index % TOUCH_EVERY == 0 else (),
         )
 
 
-def microseconds(analogy: Analogy, n_actors: int, *, known: bool) -> float:
+def microseconds(components: Mapping[str, Any], n_actors: int, *, known: bool) -> float:
     """Time of one `learn`, designated credit and social rate [us].
 
     The mean of the fastest of ten runs: other work on the machine only adds to it.
 
     Args:
-        analogy: the analogy; its memory is filled on the way.
+        components: of the learner beside its credit.
         n_actors: actors in every state.
         known: whether the states come from a small set and were all met before, or
             are as good as never met before.
@@ -113,9 +114,7 @@ def microseconds(analogy: Analogy, n_actors: int, *, known: bool) -> float:
     pool = crowds(n_actors, KNOWN_STATES if known else 2 * UPDATES, rng)
     order = rng.integers(len(pool), size=2 * UPDATES) if known else range(2 * UPDATES)
     lived = list(experiences((pool[i] for i in order), rng))
-    learner = QLearner(
-        N_BEHAVIORS, rng, credit=Designated(), analogy=analogy, horizon=60.0
-    )
+    learner = QLearner(N_BEHAVIORS, rng, credit=Designated(), **components)
     for experience in lived[:UPDATES]:
         learner.learn(experience)
     measured = np.array_split(np.arange(UPDATES, len(lived)), RUNS)
@@ -129,12 +128,12 @@ def _seconds(learner: QLearner, lived: list[Experience]) -> float:
     return (time.process_time() - begin) / len(lived)
 
 
-ANALOGIES: dict[str, Callable[[int], Analogy]] = {
-    "none": lambda _: Analogy(),
-    "one swap": lambda _: Propagation(),
-    "closed swaps": lambda n: Propagation(depth=max(n - 1, 1)),
-    "canonical": lambda _: Canonical(),
-    "adaptive": lambda _: AdaptiveAnalogy(),
+ANALOGIES: dict[str, Callable[[int], dict[str, Any]]] = {
+    "none": lambda _: {},
+    "one swap": lambda _: {"analogy": Propagation()},
+    "closed swaps": lambda n: {"analogy": Propagation(depth=max(n - 1, 1))},
+    "canonical": lambda _: {"representation": Canonical()},
+    "adaptive": lambda _: {"analogy": AdaptiveAnalogy()},
 }
 LARGEST_CLOSURE = 4  # actors; the closure has up to n! states
 

@@ -7,7 +7,7 @@ from typing import ClassVar, NamedTuple, Protocol
 
 import numpy as np
 
-from learners.checks import check_positive, check_range
+from learners.errors import check_positive, check_range
 from learners.saving import saved
 
 
@@ -29,6 +29,7 @@ class Estimates(NamedTuple):
 class Exploration(Protocol):
     """An exploration rule."""
 
+    needs_visits: ClassVar[bool]
     needs_posterior: ClassVar[bool]
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:
@@ -68,6 +69,7 @@ def draw(probabilities: Sequence[float], rng: np.random.Generator) -> int:
 class Greedy:
     """Always the best behavior so far."""
 
+    needs_visits: ClassVar[bool] = False
     needs_posterior: ClassVar[bool] = False
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:
@@ -85,6 +87,7 @@ class EpsilonGreedy:
     """
 
     epsilon: float = 0.1
+    needs_visits: ClassVar[bool] = False
     needs_posterior: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
@@ -109,6 +112,7 @@ class Softmax:
     """
 
     temperature: float = 0.2
+    needs_visits: ClassVar[bool] = False
     needs_posterior: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
@@ -134,6 +138,7 @@ class UpperConfidence:
     """
 
     width: float = 0.7
+    needs_visits: ClassVar[bool] = True
     needs_posterior: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
@@ -163,6 +168,7 @@ class Thompson:
     Source: Thompson (1933); normal posteriors.
     """
 
+    needs_visits: ClassVar[bool] = False
     needs_posterior: ClassVar[bool] = True
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:

@@ -1,0 +1,27 @@
+"""Exploration: how a behavior is chosen from what is known of each."""
+
+from learners.exploration.rules import (
+    EpsilonGreedy,
+    Estimates,
+    Exploration,
+    Greedy,
+    Softmax,
+    Thompson,
+    UpperConfidence,
+    best,
+    draw,
+    softmax,
+)
+
+__all__ = [
+    "EpsilonGreedy",
+    "Estimates",
+    "Exploration",
+    "Greedy",
+    "Softmax",
+    "Thompson",
+    "UpperConfidence",
+    "best",
+    "draw",
+    "softmax",
+]

@@ -1,0 +1,28 @@
+"""Representation: which rows of a table a situation is kept in."""
+
+from learners.representation.parts import Part, Representation
+from learners.representation.situations import (
+    Canonical,
+    MarkedSituations,
+    Named,
+    Nameless,
+)
+from learners.representation.views import (
+    AudibleViews,
+    PersonViews,
+    Views,
+    ViewSet,
+)
+
+__all__ = [
+    "AudibleViews",
+    "Canonical",
+    "MarkedSituations",
+    "Named",
+    "Nameless",
+    "Part",
+    "PersonViews",
+    "Representation",
+    "ViewSet",
+    "Views",
+]

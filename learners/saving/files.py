@@ -1,0 +1,69 @@
+"""Files of saved learners: a header line and a line of tagged JSON."""
+
+import hashlib
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from learners.errors import SavedFileError
+from learners.saving.codec import Decoder, encode
+
+FORMAT = "household-learner"
+VERSION = 2
+READABLE = (1, VERSION)
+
+
+def write(path: str | Path, learner: object) -> None:
+    """Write a learner to a file, whole or not at all.
+
+    Raises:
+        SavedFileError: if it holds something that is not registered with `saved`.
+    """
+    payload = json.dumps(encode(learner), separators=(",", ":"))
+    header = {"format": FORMAT, "version": VERSION, "sha256": _digest(payload)}
+    path = Path(path)
+    unfinished = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        with unfinished.open("w", encoding="utf-8", newline="\n") as file:
+            file.write(f"{json.dumps(header)}\n{payload}\n")
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what was saved
+    """Read what `write` wrote; the learner goes on exactly where the saved one was.
+
+    Args:
+        path: the file.
+        **attached: callables that are not written, by the name of their field, such
+            as `ask` of the credit rule Advice.
+
+    Raises:
+        SavedFileError: if the file is damaged, cut short, of another version or not a
+            saved learner, or if a class or a callable it needs is missing.
+    """
+    try:
+        header_line, payload, end = Path(path).read_text("utf-8").split("\n")
+        header = json.loads(header_line)
+        name, version, digest = (header[k] for k in ("format", "version", "sha256"))
+    except (UnicodeDecodeError, ValueError, KeyError, TypeError) as error:
+        raise SavedFileError(f"{path} is not a saved learner, or cut short") from error
+    if name != FORMAT:
+        raise SavedFileError(f"{path} is not a saved learner: its format is {name!r}")
+    if version not in READABLE:
+        raise SavedFileError(
+            f"{path} was saved in version {version} of the format; this is {VERSION}"
+        )
+    if end or digest != _digest(payload):
+        raise SavedFileError(
+            f"{path} is damaged: its content does not match its digest"
+        )
+    return Decoder(attached, older=version < VERSION).decode(json.loads(payload))
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
