@@ -14,6 +14,7 @@ from experiments.commands.evaluating import Evaluate
 from experiments.commands.replaying import Replay
 from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
+from experiments.commands.studying import StudyCommand
 from experiments.commands.training import Train
 
 
@@ -29,6 +30,7 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "report": Report,
     "train": Train,
     "evaluate": Evaluate,
+    "study": StudyCommand,
     "replay": Replay,
     "scenarios": Scenarios,
     "check": Check,

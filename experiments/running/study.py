@@ -86,6 +86,10 @@ class Study:
     run: Callable[[Trial], polars.DataFrame]
     """Runs one trial; at the top of a module, so that other processes can import it."""
 
+    describe: Callable[[Condition], Mapping[str, Any]] | None = None
+    """Everything that a condition fixes, as plain data; None: its learner and its
+    scenario."""
+
     def __post_init__(self) -> None:
         """Checks names and seeds."""
         names = [condition.name for condition in self.conditions]

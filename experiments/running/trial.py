@@ -133,7 +133,9 @@ def configuration(study: Study) -> dict[str, Any]:
     """
     return {
         "run": describe(study.run),
-        "conditions": {c.name: describe_condition(c) for c in study.conditions},
+        "conditions": {
+            c.name: (study.describe or describe_condition)(c) for c in study.conditions
+        },
     }
 
 

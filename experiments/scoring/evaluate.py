@@ -167,7 +167,7 @@ def _family(name: str, scored: Sequence[Scored]) -> FamilyEvaluation:
     from household.scenario.family import load_family
 
     names = list(scored[0].scores)
-    constants = [each for each in names if each.startswith("constant:")]
+    constants = {f"constant:{each}": each for each in load_family(name).behaviors}
     greedy = {
         each: np.mean([one.scores[each].probe_greedy for one in scored])
         for each in constants
@@ -182,7 +182,7 @@ def _family(name: str, scored: Sequence[Scored]) -> FamilyEvaluation:
     return FamilyEvaluation(
         family=name,
         demand=load_family(name).demand,
-        best_constant=best.partition(":")[2],
+        best_constant=constants[best],
         moments=float(np.mean([each.share for each in scored])),
         deviation=_mean([each.error for each in played]),
         deviation_loss=_mean([each.loss for each in played]),

@@ -19,13 +19,13 @@ from household.config.mending import mended
 from household.config.quantities import Count, FileName, Name, Seed, Share, Text
 from household.config.toml import Record, convert, load, locate, read_toml, shipped
 from household.errors import HouseholdError
-from household.home.floorplan import FloorPlan, RegionActivity
+from household.home.floorplan import FloorPlan, RegionActivity, load_floorplan
 from household.home.sources.generator import MOST_ROOMS, generate
 from household.home.standing import standing_room
 from household.scenario.behavior import Behavior
 from household.scenario.fit import behaviors_faults, first_spots, schedule_faults
 from household.scenario.norms import ActivityName, Norms
-from household.scenario.persona import load_persona
+from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population
 from household.scenario.scenario import (
     FEW,
@@ -78,12 +78,15 @@ class HomeKind(Record, frozen=True, kw_only=True):
     """The homes of a family.
 
     Attributes:
-        rooms: Fewest and most rooms.
+        shipped: Shipped homes, one of which is taken; none: they are generated.
+        shipped: tuple[Name, ...] = ()
+    rooms: Fewest and most rooms.
         room_area: Smallest and largest area of a room of mean size [m2].
         clutter: Share of the furniture that nobody needs for an activity.
         loops: Chance of a door between two rooms that are joined already.
     """
 
+    shipped: tuple[Name, ...] = ()
     rooms: tuple[Rooms, Rooms] = (4, 8)
     room_area: tuple[Area, Area] = (12.0, 18.0)
     clutter: Share = 0.8
@@ -108,7 +111,7 @@ class Family(Record, frozen=True, kw_only=True):
         home: What homes they live in.
         people: Fewest and most people, unless the caller wants another number.
         robots: Fewest and most robots, likewise.
-        personas: Shipped personas, one of which is drawn for each person.
+        personas: Shipped personas or records, one of which is drawn for each person.
         residents: What people do; they take them in turn, beginning with a drawn one.
         behaviors: What the robots can choose.
         behavior: The family's own behaviors, by name.
@@ -124,7 +127,7 @@ class Family(Record, frozen=True, kw_only=True):
     home: HomeKind = HomeKind()
     people: tuple[People, People] = (2, 6)
     robots: tuple[Robots, Robots] = (1, 1)
-    personas: Annotated[tuple[FileName, ...], SOME]
+    personas: Annotated[tuple[FileName | Persona, ...], SOME]
     residents: Annotated[tuple[Resident, ...], SOME]
     behaviors: Annotated[
         tuple[Name, ...], msgspec.Meta(min_length=2, max_length=MOST_BEHAVIORS)
@@ -212,7 +215,10 @@ def _misfits(family: Family, sound: Sound) -> Iterator[Fault]:
 
 
 def _personas(family: Family, sound: Sound) -> Iterator[Fault]:
-    for index, name in enumerate(family.personas):
+    named = (
+        (i, each) for i, each in enumerate(family.personas) if isinstance(each, str)
+    )
+    for index, name in named:
         try:
             load_persona(name)
         except HouseholdError as error:
@@ -279,8 +285,10 @@ def _between(rng: np.random.Generator, bounds: tuple[int, int]) -> int:
 
 @lru_cache(maxsize=256)
 def _home(kind: HomeKind, seed: int) -> FloorPlan:
-    """The home that a seed draws; named after it."""
+    """The home that a seed draws; named after it, if it is generated."""
     rng = _stream(seed, HOME)
+    if kind.shipped:
+        return load_floorplan(kind.shipped[int(rng.integers(len(kind.shipped)))])
     plan = generate(
         rng,
         rooms=_between(rng, kind.rooms),
