@@ -9,9 +9,6 @@ import numpy as np
 
 from household.compiled.arrays import Floats, Indices, Mask, Zeros
 
-NO_TARGET: Indices = np.zeros(0, np.intp)
-"""Nobody follows anybody."""
-
 
 class BodyParams(NamedTuple):
     """What bodies are like.
@@ -37,7 +34,6 @@ class Bodies(NamedTuple):
         velocity: Of the present steering period, shape (n, 2) [m/s].
         heading: Where each body faces, shape (n,) [rad].
         gaze: Where each head points, shape (n,) [rad].
-        walking: Whether each is on a walk, shape (n,).
     """
 
     radius: Annotated[Floats, "n"]
@@ -46,13 +42,13 @@ class Bodies(NamedTuple):
     velocity: Annotated[Floats, "n", 2]
     heading: Annotated[Floats, "n"]
     gaze: Annotated[Floats, "n"]
-    walking: Annotated[Mask, "n"]
 
 
-class Progress(NamedTuple):
-    """How the walks of all bodies go.
+class Walks(NamedTuple):
+    """Who walks, and how it goes.
 
     Attributes:
+        walking: Whether each body is on a walk, shape (n,).
         began: When each began its present or latest walk, shape (n,) [s].
         nearest: The least distance from its next waypoint that each has had, infinite
             before the first look, shape (n,) [m].
@@ -62,6 +58,7 @@ class Progress(NamedTuple):
         needs_replan: Whether each is to be sent on a walk, shape (n,).
     """
 
+    walking: Annotated[Mask, "n"]
     began: Annotated[Floats, "n"]
     nearest: Annotated[Floats, "n"]
     stalled: Annotated[Floats, "n"]
@@ -93,6 +90,10 @@ class Pursuit(NamedTuple):
     reach: float
 
 
+NO_PURSUIT = Pursuit(np.zeros(0, np.intp), 0.0)
+"""Nobody follows anybody."""
+
+
 def bodies_at_rest(params: BodyParams, velocity: Floats, zeros: Zeros) -> Bodies:
     """Bodies that stand at the origin.
 
@@ -109,13 +110,13 @@ def bodies_at_rest(params: BodyParams, velocity: Floats, zeros: Zeros) -> Bodies
         velocity=velocity,
         heading=zeros("heading", (n,)),
         gaze=zeros("gaze", (n,)),
-        walking=np.zeros(n, np.bool_),
     )
 
 
-def no_progress(n: int) -> Progress:
-    """The progress of so many bodies before their first walk."""
-    return Progress(
+def no_walks(n: int) -> Walks:
+    """The walks of so many bodies before their first one."""
+    return Walks(
+        walking=np.zeros(n, np.bool_),
         began=np.full(n, np.nan),
         nearest=np.full(n, np.inf),
         stalled=np.zeros(n),

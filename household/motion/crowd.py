@@ -16,12 +16,12 @@ from household.config.toml import Point
 from household.home.floorplan import FloorPlan
 from household.home.navigation.routes import routes_of
 from household.motion.bodies import (
-    NO_TARGET,
+    NO_PURSUIT,
     BodyParams,
     Goals,
     Pursuit,
     bodies_at_rest,
-    no_progress,
+    no_walks,
 )
 from household.motion.detours import detour
 from household.motion.free_walking import Ticks, walk_freely
@@ -31,10 +31,9 @@ from household.motion.physics import Physics
 from household.motion.progress import (
     CROWDED,
     STUCK,
-    are_pressed,
     arrived,
     find_who_needs_replan,
-    follow_up,
+    follow_up_push,
     is_bound_for,
 )
 from household.motion.steering import PUSHY, steer
@@ -68,8 +67,7 @@ class Crowd(Stateful):
         "position",
         "heading",
         "gaze",
-        "walking",
-        "_progress",
+        "_walks",
         "_paths",
         "_sidesteps",
         "_pressed",
@@ -89,11 +87,10 @@ class Crowd(Stateful):
         self._routes = routes_of(plan)
         self._ticks = Ticks(round(steering_period / physics_period), physics_period)
         bodies = bodies_at_rest(params, physics.velocity, zeros)
-        self._progress = progress = no_progress(n)
+        self._walks = walks = no_walks(n)
         self._paths = no_paths(n)
         self._sidesteps = 0
         self._single = Goals(np.zeros((n, 2)), np.full(n, NOBODY))
-        self._look = np.full(n, NOBODY)
         self._pressed = False
         self._where: list[Point] | None = None
         self.position, self.heading, self.gaze = (
@@ -101,19 +98,19 @@ class Crowd(Stateful):
             bodies.heading,
             bodies.gaze,
         )
-        self.walking, self.walk_began = bodies.walking, progress.began
+        self.walking, self.walk_began = walks.walking, walks.began
         period = self._ticks.number * self._ticks.duration
-        self._steer = bind(steer, bodies, progress, period)
+        self._steer = bind(steer, bodies, walks, period)
         self._walk_freely = bind(
-            walk_freely, bodies, progress, physics.obstacles, self._ticks
+            walk_freely, bodies, walks, physics.obstacles, self._ticks
         )
-        self._follow_up = bind(follow_up, bodies, progress, steering_period)
-        self._are_pressed = bind(are_pressed, bodies)
-        self._set_out = bind(set_out, self._routes.navigation, bodies, progress)
-        self._arrived = bind(arrived, bodies, progress)
-        self._is_bound_for = bind(is_bound_for, bodies, progress)
-        self._find_who_needs_replan = bind(find_who_needs_replan, bodies, progress)
-        self._turn_heads = bind(turn_heads, bodies)
+        self._follow_up_push = bind(follow_up_push, bodies, walks, steering_period)
+        self._set_out = bind(set_out, self._routes.navigation, self.position, walks)
+        standing = self.position, walks.walking, walks.settled
+        self._arrived = bind(arrived, *standing)
+        self._is_bound_for = bind(is_bound_for, *standing)
+        self._find_who_needs_replan = bind(find_who_needs_replan, self.position, walks)
+        self._turn_heads = bind(turn_heads, bodies, walks.walking)
 
     def place(self, position: Floats, heading: Floats) -> None:
         """Puts everybody somewhere, at rest and looking ahead."""
@@ -122,8 +119,8 @@ class Crowd(Stateful):
         self._where = None
         self.walking[:] = False
         self._sidesteps = 0
-        self._progress.nearest[:], self._progress.stalled[:] = np.inf, 0.0
-        self._progress.settled[:] = np.nan
+        self._walks.nearest[:], self._walks.stalled[:] = np.inf, 0.0
+        self._walks.settled[:] = np.nan
         self._pressed = False
 
     @property
@@ -176,27 +173,25 @@ class Crowd(Stateful):
         Returns:
             Whether a path leads there.
         """
-        self._progress.needs_replan[i] = True
+        self._walks.needs_replan[i] = True
         self._single.point[i] = goal
         return self._replan(self._single, now, keep=False)
 
     def send_who_needs_replan(
-        self, goals: Floats, target: Indices, now: float, but: Sequence[int] = ()
+        self, goals: Goals, now: float, but: Sequence[int] = ()
     ) -> None:
         """Sends everybody on a walk who is neither at its goal nor on its way there.
 
         Args:
-            goals: One for each of the first bodies, shape (m, 2) [m].
-            target: Whom each follows instead, `NOBODY` for none, shape (m,).
+            goals: Where the first bodies want to be.
             now: [s].
             but: Who stays as it is.
         """
-        wanted = Goals(goals, target)
-        if not self._find_who_needs_replan(self._paths, wanted):
+        if not self._find_who_needs_replan(self._paths, goals):
             return
         for i in but:
-            self._progress.needs_replan[i] = False
-        self._replan(wanted, now, keep=True)
+            self._walks.needs_replan[i] = False
+        self._replan(goals, now, keep=True)
 
     def _replan(self, goals: Goals, now: float, *, keep: bool) -> bool:
         """Sends all on a walk who need a new path; returns whether one leads anywhere.
@@ -210,34 +205,29 @@ class Crowd(Stateful):
         if most > self._paths.points.shape[1]:
             self._paths = with_room(self._paths, most)
             return self._replan(goals, now, keep=keep)
-        self._progress.needs_replan.fill(False)
         return most > 0
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
         self.walking[i] = False
 
-    def advance(
-        self, periods: int = 1, target: Indices = NO_TARGET, reach: float = 0.0
-    ) -> int:
+    def advance(self, periods: int = 1, pursuit: Pursuit = NO_PURSUIT) -> int:
         """Lets some steering periods pass.
 
         Args:
             periods: How many at most.
-            target: Whom each of the first bodies follows, `NOBODY` for none, (m,).
-            reach: How near to its target it wants to come [m].
+            pursuit: Whom the first bodies follow.
 
         Returns:
             How many have passed: fewer, if somebody has something to decide, such as a
             body that may be within reach of its target.
         """
         if not (self._pressed or True in self.walking.tolist()):
-            return periods if set(target.tolist()) <= {NOBODY} else 1
+            return periods if set(pursuit.target.tolist()) <= {NOBODY} else 1
         passed, stuck = 0, False
         if self._pressed:
             self._steer(self._paths)
         else:
-            pursuit = Pursuit(target, reach)
             passed, stuck = self._walk_freely(self._paths, pursuit, periods)
         if passed == 0:
             passed, stuck = 1, self._push_on()
@@ -252,30 +242,29 @@ class Crowd(Stateful):
         self.position[:] = self._physics.advance(
             self.position, ticks.duration, ticks.number
         )
-        stuck = self._follow_up(self._paths)
-        self._pressed = self._are_pressed()
+        stuck, self._pressed = self._follow_up_push(self._paths)
         return stuck
 
     def _free_the_stuck(self) -> None:
         """Each walker that is stuck tries another path."""
-        stuck = self.walking & (self._progress.stalled >= STUCK)
+        stuck = self.walking & (self._walks.stalled >= STUCK)
         for i in stuck.nonzero()[0].tolist():
             self._try_another_path(i)
 
     def _try_another_path(self, i: int) -> None:
         """Settles for a place near the goal, or makes a detour."""
-        progress = self._progress
-        progress.stalled[i] = PUSHY  # It goes on to push, until it comes nearer.
+        walks = self._walks
+        walks.stalled[i] = PUSHY  # It goes on to push, until it comes nearer.
         here, goal = self.where[i], end_of(self._paths, i)
         if math.dist(here, goal) <= CROWDED:
             self.halt(i)
-            progress.settled[i] = goal
+            walks.settled[i] = goal
             return
         self._sidesteps += 1
         path = detour(self._routes, here, goal, attempt=self._sidesteps)
         if path:
             self._paths = with_path(self._paths, i, path)
-            progress.nearest[i] = math.inf
+            walks.nearest[i] = math.inf
 
     def turn_heads(self, look: Indices, focus: Floats, most: Floats) -> None:
         """Turns every head towards where it wants to look; the others look ahead.
@@ -286,6 +275,4 @@ class Crowd(Stateful):
                 shape (m, 2) [m].
             most: How far each head can turn in this time, shape (n,) [rad].
         """
-        # The other bodies, robots, look at nobody.
-        self._look[: len(look)] = look
-        self._turn_heads(self._look, focus, most)
+        self._turn_heads(look, focus, most)

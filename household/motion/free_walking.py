@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from household.compiled.arrays import Floats
 from household.compiled.jit import compiled
-from household.motion.bodies import Bodies, Progress, Pursuit
+from household.motion.bodies import Bodies, Pursuit, Walks
 from household.motion.collision import Obstacles, keep_out
 from household.motion.paths import Paths
 from household.motion.progress import follow_up, within_reach
@@ -32,7 +33,7 @@ class Ticks(NamedTuple):
 @compiled
 def walk_freely(
     bodies: Bodies,
-    progress: Progress,
+    walks: Walks,
     obstacles: Obstacles,
     ticks: Ticks,
     paths: Paths,
@@ -43,7 +44,7 @@ def walk_freely(
 
     Args:
         bodies: Moved in place.
-        progress: Brought up to date in place.
+        walks: Brought up to date in place.
         obstacles: Of the home.
         ticks: Of each steering period.
         paths: Which waypoint each walks to is changed in place.
@@ -55,28 +56,29 @@ def walk_freely(
         although nobody has anything to decide, bodies may touch in the next period: all
         have their velocities for it, and the engine has to move them.
     """
-    position, velocity = bodies.position, bodies.velocity
+    radius, position, velocity = bodies.radius, bodies.position, bodies.velocity
     period = ticks.number * ticks.duration
     before = np.empty_like(position)
     near_target = np.empty(len(pursuit.target), np.bool_)
     for passed in range(periods):
-        steer(bodies, progress, period, paths)
-        if not _is_clear_of_others(bodies, period):
+        steer(bodies, walks, period, paths)
+        if not _is_clear_of_others(position, velocity, radius, period):
             return passed, False
         before[:] = position
         for _ in range(ticks.number):
             position += velocity * ticks.duration
-        keep_out(bodies.radius, obstacles, before, position)
-        stuck = follow_up(bodies, progress, period, paths)
+        keep_out(radius, obstacles, before, position)
+        stuck = follow_up(bodies, walks, period, paths)
         if stuck or within_reach(position, pursuit.target, pursuit.reach, near_target):
             return passed + 1, stuck
     return periods, False
 
 
 @compiled
-def _is_clear_of_others(bodies: Bodies, period: float) -> bool:
+def _is_clear_of_others(
+    position: Floats, velocity: Floats, radius: Floats, period: float
+) -> bool:
     """Whether no walker comes to touch another body; bodies that part may touch."""
-    radius, position, velocity = bodies.radius, bodies.position, bodies.velocity
     xs, ys = position[:, 0].copy(), position[:, 1].copy()
     us, vs = velocity[:, 0].copy(), velocity[:, 1].copy()
     for i in range(len(position)):

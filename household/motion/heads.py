@@ -4,7 +4,7 @@ from typing import Annotated
 
 import numpy as np
 
-from household.compiled.arrays import NOBODY, Floats, Indices
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.motion.bodies import Bodies
 
@@ -15,27 +15,30 @@ NECK = np.pi / 2
 @compiled
 def turn_heads(
     bodies: Bodies,
-    look: Annotated[Indices, "n"],
+    walking: Annotated[Mask, "n"],
+    look: Annotated[Indices, "m"],
     focus: Annotated[Floats, "m", 2],
     most: Annotated[Floats, "n"],
 ) -> None:
     """Turns every head towards where it wants to look, and bodies where necks end.
 
-    A body that looks at nobody looks at its focus while it stands, if it has one, and
-    straight ahead otherwise.
+    One of the first m bodies that looks at nobody looks at its focus while it stands, if
+    it has one. All others look straight ahead.
 
     Args:
         bodies: Their gaze and heading are changed in place.
-        look: Index of the body that each looks at, `NOBODY` for none, shape (n,).
-        focus: What the first m of them look at then, NaN for nothing, (m, 2) [m].
+        walking: Whether each walks, shape (n,).
+        look: Index of the body that each of the first m looks at, `NOBODY` for none,
+            shape (m,).
+        focus: What each of them looks at then, NaN for nothing, shape (m, 2) [m].
         most: How far each head can turn in this time, shape (n,) [rad].
     """
     position, gaze, heading = bodies.position, bodies.gaze, bodies.heading
     for i in range(len(gaze)):
         goal = heading[i]
-        if look[i] != NOBODY:
+        if i < len(look) and look[i] != NOBODY:
             goal = _direction(position[i], position[look[i]])
-        elif i < len(focus) and not bodies.walking[i] and not np.isnan(focus[i, 0]):
+        elif i < len(look) and not walking[i] and not np.isnan(focus[i, 0]):
             goal = _direction(position[i], focus[i])
         turn = _wrapped(goal - gaze[i])
         gaze[i] += min(max(turn, -most[i]), most[i])

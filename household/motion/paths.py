@@ -9,7 +9,7 @@ from household.compiled.arrays import NOBODY, Floats, Indices
 from household.compiled.jit import compiled
 from household.config.toml import Point
 from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
-from household.motion.bodies import Bodies, Goals, Progress
+from household.motion.bodies import Goals, Walks
 
 
 class Paths(NamedTuple):
@@ -64,8 +64,8 @@ def end_of(paths: Paths, i: int) -> Point:
 @compiled
 def set_out(
     navigation: Navigation,
-    bodies: Bodies,
-    progress: Progress,
+    position: Annotated[Floats, "n", 2],
+    walks: Walks,
     paths: Paths,
     goals: Goals,
     now: float,
@@ -73,13 +73,13 @@ def set_out(
 ) -> int:
     """Sends everybody on a walk who needs a new path.
 
-    A body to whose goal no path leads stands still. At the end, `Progress.needs_replan`
+    A body to whose goal no path leads stands still. At the end, `Walks.needs_replan`
     holds for those bodies whose path has more waypoints than there is room for.
 
     Args:
         navigation: Of the home; the paths that it keeps are brought up to date.
-        bodies: Who walks and who stands is changed in place.
-        progress: Changed in place for those who set out.
+        position: Of all bodies, shape (n, 2) [m].
+        walks: Changed in place for those who set out.
         paths: Likewise.
         goals: Where they want to be.
         now: [s].
@@ -89,12 +89,12 @@ def set_out(
     Returns:
         How many waypoints the longest new path has, 0 if there is none.
     """
-    most, walking, needs_replan = 0, bodies.walking, progress.needs_replan
+    most, walking, needs_replan = 0, walks.walking, walks.needs_replan
     for i in range(len(goals.target)):
         if not needs_replan[i]:
             continue
-        here = bodies.position[i, 0], bodies.position[i, 1]
-        goal = goal_of(goals, i, bodies.position)
+        here = position[i, 0], position[i, 1]
+        goal = goal_of(goals, i, position)
         left = paths.length[i] if walking[i] else paths.at[i]
         path = Waypoints(paths.points[i], paths.at[i], left)
         kept = keep and goals.target[i] == NOBODY
@@ -104,10 +104,10 @@ def set_out(
             walking[i] = False
         elif not needs_replan[i]:
             if not walking[i]:
-                walking[i], progress.began[i] = True, now
+                walking[i], walks.began[i] = True, now
             paths.at[i], paths.length[i] = 0, found
-            progress.nearest[i], progress.stalled[i] = np.inf, 0.0
-            progress.settled[i] = np.nan
+            walks.nearest[i], walks.stalled[i] = np.inf, 0.0
+            walks.settled[i] = np.nan
         most = max(most, found)
     return most
 

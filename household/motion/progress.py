@@ -11,7 +11,7 @@ import numpy as np
 from household.compiled.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.config.toml import Point
-from household.motion.bodies import Bodies, Goals, Progress
+from household.motion.bodies import Bodies, Goals, Walks
 from household.motion.paths import Paths, goal_of
 
 PROGRESS = 0.05
@@ -41,22 +41,22 @@ them ever more slowly."""
 
 
 @compiled
-def follow_up(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> bool:
+def follow_up(bodies: Bodies, walks: Walks, period: float, paths: Paths) -> bool:
     """Notes how every walker came on: at its waypoint it turns to the next one.
 
     A walker that comes no nearer because another body stands on its goal has arrived.
 
     Args:
-        bodies: Who walks and who stands is changed in place.
-        progress: Brought up to date in place.
+        bodies: Where they have come to.
+        walks: Brought up to date in place.
         period: Time since this was last done [s].
         paths: Which waypoint each walks to is changed in place.
 
     Returns:
         Whether anybody is stuck.
     """
-    position, walking = bodies.position, bodies.walking
-    nearest, stalled = progress.nearest, progress.stalled
+    position, radius, walking = bodies.position, bodies.radius, walks.walking
+    nearest, stalled = walks.nearest, walks.stalled
     points, at, length = paths.points, paths.at, paths.length
     stuck = False
     for i in range(len(position)):
@@ -77,16 +77,35 @@ def follow_up(bodies: Bodies, progress: Progress, period: float, paths: Paths) -
             stalled[i] += period
             stuck |= stalled[i] >= STUCK
             goal = points[i, length[i] - 1]
-            if _is_taken(bodies, i, goal):
+            if _is_taken(position, walking, radius, i, goal):
                 walking[i], stalled[i] = False, 0.0
-                progress.settled[i] = goal
+                walks.settled[i] = goal
     return stuck
 
 
 @compiled
-def are_pressed(bodies: Bodies) -> bool:
-    """Whether standing bodies overlap, so that they push each other away."""
-    position, walking, radius = bodies.position, bodies.walking, bodies.radius
+def follow_up_push(
+    bodies: Bodies, walks: Walks, period: float, paths: Paths
+) -> tuple[bool, bool]:
+    """Notes how every walker came on while bodies pushed each other.
+
+    Args:
+        bodies: As in `follow_up`.
+        walks: As in `follow_up`.
+        period: As in `follow_up`.
+        paths: As in `follow_up`.
+
+    Returns:
+        Whether anybody is stuck; and whether standing bodies overlap, so that they push
+        each other away.
+    """
+    stuck = follow_up(bodies, walks, period, paths)
+    return stuck, _are_pressed(bodies.position, walks.walking, bodies.radius)
+
+
+@compiled
+def _are_pressed(position: Floats, walking: Mask, radius: Floats) -> bool:
+    """Whether bodies overlap that do not walk."""
     for i in range(len(position)):
         for j in range(i):
             if walking[i] or walking[j]:
@@ -99,16 +118,17 @@ def are_pressed(bodies: Bodies) -> bool:
 
 
 @compiled
-def _is_taken(bodies: Bodies, i: int, goal: Floats) -> bool:
+def _is_taken(
+    position: Floats, walking: Mask, radius: Floats, i: int, goal: Floats
+) -> bool:
     """Whether a body touches another that stands where it wants to be."""
-    position, radius = bodies.position, bodies.radius
     if _away(position[i], goal[0], goal[1]) > CROWDED:
         return False
     for j in range(len(position)):
         touching = radius[i] + radius[j] + TOUCH
         if (
             j != i
-            and not bodies.walking[j]
+            and not walking[j]
             and _away(goal, position[j, 0], position[j, 1]) < touching - DRIFT
             and _away(position[i], position[j, 0], position[j, 1]) < touching
         ):
@@ -118,64 +138,73 @@ def _is_taken(bodies: Bodies, i: int, goal: Floats) -> bool:
 
 @compiled
 def arrived(
-    bodies: Bodies,
-    progress: Progress,
+    position: Annotated[Floats, "n", 2],
+    walking: Annotated[Mask, "n"],
+    settled: Annotated[Floats, "n", 2],
     goals: Annotated[Floats, "m", 2],
     there: Annotated[Mask, "m"],
 ) -> None:
     """Finds out who stands at its goal, or as near to it as others let it.
 
     Args:
-        bodies: All of them.
-        progress: Of their walks.
+        position: Of all bodies, shape (n, 2) [m].
+        walking: As in `Walks`, shape (n,).
+        settled: As in `Walks`, shape (n, 2) [m].
         goals: One for each of the first m bodies, shape (m, 2) [m].
         there: Set to who does, shape (m,).
     """
     for i in range(len(goals)):
         goal = goals[i, 0], goals[i, 1]
-        there[i] = not bodies.walking[i] and _is_at(bodies, progress, i, goal)
+        there[i] = not walking[i] and _is_at(position, settled, i, goal)
 
 
 @compiled
 def find_who_needs_replan(
-    bodies: Bodies, progress: Progress, paths: Paths, goals: Goals
+    position: Annotated[Floats, "n", 2], walks: Walks, paths: Paths, goals: Goals
 ) -> bool:
     """Finds out who is neither at its goal nor on its way there.
 
     Args:
-        bodies: All of them.
-        progress: Its `needs_replan` is set for the bodies that have a goal.
+        position: Of all bodies, shape (n, 2) [m].
+        walks: Its `needs_replan` is set for the bodies that have a goal.
         paths: Of all bodies.
         goals: Where the first bodies want to be.
 
     Returns:
         Whether anybody is.
     """
-    anybody, needs_replan = False, progress.needs_replan
+    walking, settled, needs_replan = walks.walking, walks.settled, walks.needs_replan
+    anybody = False
     for i in range(len(goals.target)):
-        goal = goal_of(goals, i, bodies.position)
-        needs_replan[i] = not is_bound_for(bodies, progress, paths, i, goal)
+        goal = goal_of(goals, i, position)
+        needs_replan[i] = not is_bound_for(position, walking, settled, paths, i, goal)
         anybody |= needs_replan[i]
     return anybody
 
 
 @compiled
 def is_bound_for(
-    bodies: Bodies, progress: Progress, paths: Paths, i: int, goal: Point
+    position: Annotated[Floats, "n", 2],
+    walking: Annotated[Mask, "n"],
+    settled: Annotated[Floats, "n", 2],
+    paths: Paths,
+    i: int,
+    goal: Point,
 ) -> bool:
     """Whether a body is at a goal, on its way there, or as near as others let it.
 
     Args:
-        bodies: All of them.
-        progress: Of their walks.
+        position: Of all bodies, shape (n, 2) [m].
+        walking: As in `Walks`, shape (n,).
+        settled: As in `Walks`, shape (n, 2) [m].
         paths: Of all bodies.
         i: Index of the body.
         goal: [m].
     """
-    if bodies.walking[i]:
+    if walking[i]:
         end = paths.points[i, paths.length[i] - 1]
         return _away(end, goal[0], goal[1]) <= DRIFT
-    return _is_at(bodies, progress, i, goal)
+    return _is_at(position, settled, i, goal)
 
 
 @compiled
@@ -200,11 +229,11 @@ def within_reach(position: Floats, target: Indices, reach: float, near: Mask) ->
 
 
 @compiled
-def _is_at(bodies: Bodies, progress: Progress, i: int, goal: Point) -> bool:
+def _is_at(position: Floats, settled: Floats, i: int, goal: Point) -> bool:
     """Whether a standing body is at a goal, or as near to it as others let it."""
     x, y = goal
-    crowded = _away(progress.settled[i], x, y) <= DRIFT
-    return _away(bodies.position[i], x, y) <= (CROWDED if crowded else DRIFT)
+    crowded = _away(settled[i], x, y) <= DRIFT
+    return _away(position[i], x, y) <= (CROWDED if crowded else DRIFT)
 
 
 @compiled

@@ -11,7 +11,7 @@ import numpy as np
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.config.toml import Point
-from household.motion.bodies import Bodies, Progress
+from household.motion.bodies import Bodies, Walks
 from household.motion.paths import Paths
 
 COMFORT = 0.5
@@ -46,7 +46,7 @@ class Close(NamedTuple):
 
 
 @compiled
-def steer(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> None:
+def steer(bodies: Bodies, walks: Walks, period: float, paths: Paths) -> None:
     """Sets velocities that lead walkers to their waypoints, keeping to the right.
 
     A walker slows down only to end on its waypoint. Where a body is in its way, it
@@ -57,12 +57,13 @@ def steer(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> No
     Args:
         bodies: Their velocities are set, to 0 for those who stand; walkers come to face
             where they go.
-        progress: Of their walks.
+        walks: Who walks, and since when without coming nearer to its waypoint.
         period: Time until the next steering [s].
         paths: Of all bodies.
     """
     position, heading, velocity = bodies.position, bodies.heading, bodies.velocity
-    points, at = paths.points, paths.at
+    radius, speed, points, at = bodies.radius, bodies.speed, paths.points, paths.at
+    walking, stalled = walks.walking, walks.stalled
     velocity[:] = 0.0
     n = len(position)
     close = Close(
@@ -75,7 +76,7 @@ def steer(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> No
     # Plain rows of numbers: the processor looks at several at once.
     xs, ys = position[:, 0].copy(), position[:, 1].copy()
     for i in range(n):
-        if not bodies.walking[i]:
+        if not walking[i]:
             continue
         dx, dy = points[i, at[i], 0] - xs[i], points[i, at[i], 1] - ys[i]
         away = np.sqrt(dx * dx + dy * dy)
@@ -83,18 +84,18 @@ def steer(bodies: Bodies, progress: Progress, period: float, paths: Paths) -> No
             continue
         dx /= away
         dy /= away
-        count = _find_close(xs, ys, bodies.radius, i, close)
+        count = _find_close(xs, ys, radius, i, close)
         turn = 0.0
         for k in range(count):
             ahead = close.x[k] * dx + close.y[k] * dy
             if 0.0 < ahead < away and close.gap[k] < COMFORT:
                 turn = max(turn, 1.0 - max(close.gap[k], 0.0) / COMFORT)
-        pace = min(bodies.speed[i], away / period)
+        pace = min(speed[i], away / period)
         vx, vy = dx + turn * dy, dy - turn * dx
         norm = np.sqrt(vx * vx + vy * vy)
         vx, vy = pace * vx / norm, pace * vy / norm
-        if progress.stalled[i] < PUSHY:
-            vx, vy = _given_way(bodies, i, period, close, count, (vx, vy))
+        if stalled[i] < PUSHY:
+            vx, vy = _given_way(walking, radius, period, i, close, count, (vx, vy))
         velocity[i, 0], velocity[i, 1] = vx, vy
         if vx != 0.0 or vy != 0.0:
             heading[i] = np.arctan2(vy, vx)
@@ -119,7 +120,13 @@ def _find_close(xs: Floats, ys: Floats, radius: Floats, i: int, close: Close) ->
 
 @compiled
 def _given_way(
-    bodies: Bodies, i: int, period: float, close: Close, count: int, wanted: Point
+    walking: Mask,
+    radius: Floats,
+    period: float,
+    i: int,
+    close: Close,
+    count: int,
+    wanted: Point,
 ) -> Point:
     """Takes from a velocity what would lead into others; 0 where all sides are blocked.
 
@@ -127,9 +134,10 @@ def _given_way(
     meet whatever the other does (reciprocal avoidance, van den Berg et al. 2011).
 
     Args:
-        bodies: All of them.
-        i: Index of the walker.
+        walking: Whether each body walks, shape (n,).
+        radius: Of each body, shape (n,) [m].
         period: Time until the next steering [s].
+        i: Index of the walker.
         close: Who is close to it; changed in place.
         count: How many are close.
         wanted: The velocity with nobody in the way [m/s].
@@ -137,7 +145,6 @@ def _given_way(
     Returns:
         The velocity [m/s].
     """
-    radius, walking = bodies.radius, bodies.walking
     vx, vy = wanted
     for k in range(count):
         j, gap = close.who[k], close.gap[k]

@@ -7,6 +7,7 @@ import numpy as np
 from household.compiled.arrays import Floats, Zeros, new_zeros
 from household.compiled.jit import bind, compiled
 from household.home.places import NOWHERE, Places
+from household.motion.bodies import Goals
 from household.motion.crowd import Crowd
 from household.people.appearance import Appearance, appear, appearance_of, regions_of
 from household.people.appraisal import (
@@ -90,6 +91,7 @@ class People(Stateful):
         self.wishes = Wishes(n)
         self._claimed = [NOWHERE] * n
         self._spots = np.zeros((n, 2))
+        self._goals = Goals(self._spots, self.wishes.target)
         self._arrived = np.zeros(n, np.bool_)
         self._percepts: Percepts | None = None
         self.appraisals = no_appraisals(n, n_robots)
@@ -171,7 +173,7 @@ class People(Stateful):
         changed = self._adopt(self._minds.decide(percepts))
         self.wishes.touched.fill(False)
         at_hand = list(self.wishes_at_hand(crowd, senses))
-        crowd.send_who_needs_replan(self._spots, self.wishes.target, now, but=at_hand)
+        crowd.send_who_needs_replan(self._goals, now, but=at_hand)
         for i in changed:
             if i not in at_hand and crowd.walks(i):
                 # Who was on its way elsewhere is so no longer.

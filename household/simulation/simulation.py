@@ -13,7 +13,7 @@ import numpy as np
 from household.compiled.arrays import Floats
 from household.compiled.jit import bind
 from household.feedback import Feedback
-from household.motion.bodies import BodyParams
+from household.motion.bodies import BodyParams, Pursuit
 from household.motion.crowd import Crowd
 from household.observation.kernel import View
 from household.people.appraisal import heard_strength, seen_strength
@@ -117,6 +117,7 @@ class Simulation(Stateful):
             scenario.plan, scenario.perception, n, silent=n_people, zeros=zeros
         )
         self.proximity = Proximity(scenario.situation, n_people, n_robots)
+        self._pursuit = Pursuit(self.people.wishes.target, REACH)
         self._streams = Streams(n_people, n_robots)
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
         self._head_turn = np.radians(head_speed) * scenario.decision_period
@@ -219,7 +220,7 @@ class Simulation(Stateful):
         moment = 0
         while moment < self._moments:
             left = self._moments - moment
-            moment += self.crowd.advance(left, self.people.wishes.target, REACH)
+            moment += self.crowd.advance(left, self._pursuit)
             now = self.time + moment * self.scenario.steering_period
             at_hand = self.people.wishes_at_hand(self.crowd, self.senses)
             for i, wish in at_hand.items():

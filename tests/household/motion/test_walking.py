@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from household.compiled.arrays import NOBODY
-from household.motion.bodies import BodyParams
+from household.motion.bodies import BodyParams, Goals, Pursuit
 from household.motion.crowd import Crowd
 from household.motion.steering import PUSHY
 from household.simulation.simulation import PERSON_RADIUS as PERSON
@@ -140,13 +140,13 @@ def test_who_is_after_somebody_stops_to_look_within_reach(room, crowd_in):
     """From 6 m away, 0.24 m in each period: 0.8 m are reached in the 22nd."""
     crowd = crowd_in(room(), [(1.0, 2.5), (7.0, 2.5)])
     crowd.send(0, (7.0, 2.5), 0.0)
-    after = np.array([1])
-    assert crowd.advance(100, after, 0.8) == 22
+    after = Pursuit(np.array([1]), 0.8)
+    assert crowd.advance(100, after) == 22
     assert math.dist(*crowd.position) <= 0.8
     # From then on it looks in every period, also while it stands.
-    assert crowd.advance(100, after, 0.8) == 1
+    assert crowd.advance(100, after) == 1
     crowd.halt(0)
-    assert crowd.advance(100, after, 0.8) == 1
+    assert crowd.advance(100, after) == 1
     assert crowd.advance(100) == 100
 
 
@@ -221,11 +221,12 @@ def test_all_who_need_a_new_path_set_out_but_those_who_are_to_stay(room, crowd_i
     crowd = crowd_in(room(), [(1.0, 1.0), (1.0, 4.0), (4.0, 2.5), (7.0, 4.0)])
     goals = [(6.0, 1.0), (1.0, 4.0), (4.0, 1.0)]
     nobody = np.full(3, NOBODY)
-    crowd.send_who_needs_replan(np.array(goals), nobody, 5.0, but=[2])
+    crowd.send_who_needs_replan(Goals(np.array(goals), nobody), 5.0, but=[2])
     assert crowd.walking.tolist() == [True, False, False, False]
     assert (crowd.walks_since(0), crowd.walks_since(2)) == (5.0, None)
     # The second goes after the last body instead of staying in its place.
-    crowd.send_who_needs_replan(np.array(goals), np.array([NOBODY, 3, NOBODY]), 6.0)
+    after = Goals(np.array(goals), np.array([NOBODY, 3, NOBODY]))
+    crowd.send_who_needs_replan(after, 6.0)
     assert crowd.walking.tolist() == [True, True, True, False]
     assert bound(crowd, [(6.0, 1.0), (7.0, 4.0), (4.0, 1.0)]) == [True] * 3
     assert crowd.walks_since(0) == 5.0
@@ -237,7 +238,7 @@ def test_paths_with_many_turns_make_room_for_themselves(room, crowd_in):
     plan = room(size=(12.0, 5.0), walls=walls)
     crowd = crowd_in(plan, [(0.5, 1.5), (0.5, 2.5), (0.5, 3.5)])
     goals = [(11.5, 1.5), (11.5, 2.5), (0.5, 4.5)]
-    crowd.send_who_needs_replan(np.array(goals), np.full(3, NOBODY), 0.0)
+    crowd.send_who_needs_replan(Goals(np.array(goals), np.full(3, NOBODY)), 0.0)
     assert bound(crowd, goals) == [True] * 3
     assert crowd.walking.all()
 
@@ -256,7 +257,8 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
         there = np.zeros(1, dtype=bool)
         crowd.arrived(np.array([goal]), there)
         assert there.tolist() == [is_bound]
-        crowd.send_who_needs_replan(np.array([goal]), np.full(1, NOBODY), 100.0)
+        alone = Goals(np.array([goal]), np.full(1, NOBODY))
+        crowd.send_who_needs_replan(alone, 100.0)
         assert crowd.walks(0) != is_bound
 
 
