@@ -30,13 +30,9 @@ class AdaptivePooling(Agreement, Pooling):
     noise: float = 20.0
     revision: int = field(default=0, init=False)
 
-    def pull(self, n: float, person: Hashable) -> float:
-        """By trust; wholly for those who always agree."""
-        return borrowed(n, self.trust_in(person), self.noise)
-
-    def weight(self, n: float) -> float:
-        """By observations."""
-        return n
+    def terms(self, n: float, person: Hashable) -> tuple[float, float]:
+        """By trust, wholly for those who always agree; all weigh by observations."""
+        return borrowed(n, self.trust_in(person), self.noise), n
 
     def compare(
         self, person: Hashable, value: float, prediction: float, weight: float

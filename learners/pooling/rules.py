@@ -32,12 +32,13 @@ class Pooling(ABC):
     """Weight of a population mean of 0 before any evidence, >= 0."""
 
     @abstractmethod
-    def pull(self, n: float, person: Hashable) -> float:
-        """How far a person of n observations is drawn to the population, in [0, 1]."""
+    def terms(self, n: float, person: Hashable) -> tuple[float, float]:
+        """How a person of n observations and the population draw on each other.
 
-    @abstractmethod
-    def weight(self, n: float) -> float:
-        """What n > 0 observations of one person weigh in the population's mean."""
+        Returns:
+            How far the person is drawn to the population, in [0, 1], and what it weighs
+            in the population's mean, 0 without observations.
+        """
 
     def variance(self, n: float) -> float:
         """Posterior variance of a person's own part, given the population's mean."""
@@ -49,13 +50,9 @@ class Pooling(ABC):
 class NoPooling(Pooling):
     """Each person by itself; a stranger starts from nothing."""
 
-    def pull(self, n: float, person: Hashable) -> float:
-        """0: not at all."""
-        return 0.0
-
-    def weight(self, n: float) -> float:
-        """By observations, though nobody is read off them."""
-        return n
+    def terms(self, n: float, person: Hashable) -> tuple[float, float]:
+        """Not at all, whatever the population."""
+        return 0.0, n
 
 
 @saved
@@ -72,13 +69,9 @@ class FullPooling(Pooling):
     def __post_init__(self) -> None:
         check_range("prior", self.prior, 0.0)
 
-    def pull(self, n: float, person: Hashable) -> float:
-        """1: all the way."""
-        return 1.0
-
-    def weight(self, n: float) -> float:
-        """By observations."""
-        return n
+    def terms(self, n: float, person: Hashable) -> tuple[float, float]:
+        """All the way; everybody weighs by observations."""
+        return 1.0, n
 
 
 def _derived() -> Any:  # noqa: ANN401 - a field of whatever type
@@ -125,13 +118,14 @@ class HierarchicalPooling(Pooling):
         for name, value in worked_out.items():
             object.__setattr__(self, name, value)
 
-    def pull(self, n: float, person: Hashable) -> float:
-        """The smaller, the more is known of the person."""
-        return self._precision / (self._precision + n / self._within)
-
-    def weight(self, n: float) -> float:
-        """Precision of the person's mean as a guess at the population's."""
-        return 1.0 / (self._between + self._within / n)
+    def terms(self, n: float, person: Hashable) -> tuple[float, float]:
+        """The less, the more is known; weights are precisions of people's means."""
+        if n <= 0.0:
+            return 1.0, 0.0
+        return (
+            self._precision / (self._precision + n / self._within),
+            1.0 / (self._between + self._within / n),
+        )
 
     def variance(self, n: float) -> float:
         """Posterior variance of the person's mean, were the population's known."""

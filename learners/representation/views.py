@@ -4,9 +4,10 @@ A view is what one person stands for in a situation: its role and its relations 
 robots. In a home of many people nearly every whole situation is new, but few views are.
 """
 
-from collections.abc import Collection, Hashable, Iterator
+from collections.abc import Hashable
 from dataclasses import dataclass
-from typing import ClassVar
+from functools import lru_cache
+from typing import ClassVar, NamedTuple
 
 from learners.representation.parts import Part, Representation
 from learners.representation.states import View, as_viewed
@@ -14,6 +15,31 @@ from learners.saving import saved
 
 PERCEIVING = frozenset({"attends", "hears"})
 """Relations by which a person perceives a robot."""
+
+
+class Look(NamedTuple):
+    """What a representation makes of one view.
+
+    Attributes:
+        view: its relations without those that are left out.
+        perceives: whether the person perceives a robot.
+        hears: whether the person hears one.
+    """
+
+    view: View
+    perceives: bool
+    hears: bool
+
+
+@lru_cache(maxsize=1 << 12)  # there are few views, and they are met again and again
+def look(view: View, relations: tuple[str, ...]) -> Look:
+    """Look at a view, at some of its relations alone."""
+    names = {name for name, _ in view}
+    return Look(
+        view=tuple(pair for pair in view if pair[0] in relations),
+        perceives=not PERCEIVING.isdisjoint(names),
+        hears="hears" in names,
+    )
 
 
 @saved
@@ -33,18 +59,14 @@ class Views(Representation):
 
     def parts(self, state: Hashable) -> tuple[Part, ...]:
         """The view of each, by person."""
+        views = as_viewed(state).views()
+        looks = [look(view, self.relations) for _, view in views]
+        # Whether the situation says who hears the robot is seen where somebody does.
+        all_perceive = not any(each.hears for each in looks)
         return tuple(
-            Part(view, person, perceives)
-            for person, view, perceives in self._viewed(state)
+            Part(each.view, person, all_perceive or each.perceives)
+            for (person, _), each in zip(views, looks, strict=True)
         )
-
-    def _viewed(self, state: Hashable) -> Iterator[tuple[Hashable, View, bool]]:
-        whole = as_viewed(state).views()
-        hearing = any(name == "hears" for _, view in whole for name, _ in view)
-        for person, view in whole:
-            names = {name for name, _ in view}
-            perceives = not hearing or not PERCEIVING.isdisjoint(names)
-            yield person, _limited(view, names, self.relations), perceives
 
 
 @saved
@@ -59,9 +81,9 @@ class AudibleViews(Views):
     def parts(self, state: Hashable) -> tuple[Part, ...]:
         """The view of each who perceives the robot, by person."""
         return tuple(
-            Part(_limited(view, names, self.relations), person)
+            Part(each.view, person)
             for person, view in as_viewed(state).views()
-            if not PERCEIVING.isdisjoint(names := {name for name, _ in view})
+            if (each := look(view, self.relations)).perceives
         )
 
 
@@ -74,7 +96,7 @@ class PersonViews(Views):
         """The view of each, told apart by person whatever the pooling."""
         return tuple(
             Part((person, view), person, perceives)
-            for person, view, perceives in self._viewed(state)
+            for view, person, perceives in super().parts(state)
         )
 
 
@@ -90,11 +112,4 @@ class ViewSet(Views):
 
     def parts(self, state: Hashable) -> tuple[Part, ...]:
         """The set alone."""
-        return (Part(frozenset(view for _, view, _ in self._viewed(state))),)
-
-
-def _limited(view: View, names: Collection[str], relations: tuple[str, ...]) -> View:
-    """A view without the relations that are not asked for; itself if all are."""
-    if all(name in relations for name in names):
-        return view
-    return tuple(pair for pair in view if pair[0] in relations)
+        return (Part(frozenset(part.key for part in super().parts(state))),)

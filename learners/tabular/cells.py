@@ -6,71 +6,6 @@ from learners.pooling.rules import Pooling
 from learners.tabular.qtable import Row
 
 
-class Cell:
-    """One row as it is read.
-
-    Attributes:
-        name: of the row in the table.
-        key: of the part.
-        person: whose part it is; None: nobody's own.
-        row: values and visits.
-        written: whether the row is in the table; else it stands for an empty one.
-        population: all people in this part.
-        index: in the population; -1 before the row was written.
-        own: per behavior, what is read of the row itself.
-        pull: per behavior, how much of the population's mean is added.
-        variance: per behavior, that of the person's own posterior.
-        revision: of an adaptive pooling, when `own` and `pull` were worked out.
-    """
-
-    __slots__ = (
-        "index",
-        "key",
-        "name",
-        "own",
-        "person",
-        "population",
-        "pull",
-        "revision",
-        "row",
-        "variance",
-        "written",
-    )
-    population: "Population"
-    own: list[float]
-    pull: list[float]
-    variance: list[float]
-
-    def __init__(
-        self,
-        name: Hashable,
-        key: Hashable,
-        person: Hashable,
-        row: Row,
-        *,
-        written: bool,
-    ) -> None:
-        self.name, self.key, self.person = name, key, person
-        self.row, self.written = row, written
-        self.index, self.revision = -1, -1
-
-    def pool(self, action: int, pooling: Pooling) -> None:
-        """Work out anew what is read of one behavior."""
-        n = self.row.visits[action]
-        pull = pooling.pull(n, self.person)
-        self.own[action] = (1.0 - pull) * self.row.values[action]
-        self.pull[action] = pull
-        if pooling.has_posterior:
-            self.variance[action] = pooling.variance(n)
-
-    def pool_all(self, pooling: Pooling) -> None:
-        """Work out anew what is read of every behavior."""
-        values, visits = self.row
-        self.pull = [pooling.pull(n, self.person) for n in visits]
-        self.own = [(1.0 - p) * v for p, v in zip(self.pull, values, strict=True)]
-        self.variance = [pooling.variance(n) for n in visits]
-
-
 class Population:
     """What was learned of all people in one part, behavior by behavior.
 
@@ -91,7 +26,7 @@ class Population:
         self._weights: list[list[float]] = [[] for _ in self.mean]
         self._weighted: list[list[float]] = [[] for _ in self.mean]
 
-    def join(self, cell: Cell) -> None:
+    def join(self, cell: "Cell") -> None:
         """One more person is known in this part."""
         cell.index = len(self._cells)
         self._cells.append(cell)
@@ -99,27 +34,25 @@ class Population:
             weights.append(0.0)
             weighted.append(0.0)
 
-    def pool(self, cell: Cell, action: int, pooling: Pooling) -> None:
+    def weigh(self, index: int, action: int, weight: float, value: float) -> None:
         """One person's row was moved: work out the mean of a behavior anew."""
-        n = cell.row.visits[action]
-        if n <= 0.0:
-            return
         weights, weighted = self._weights[action], self._weighted[action]
-        weight = pooling.weight(n)
-        weights[cell.index] = weight
-        weighted[cell.index] = weight * cell.row.values[action]
+        weights[index] = weight
+        weighted[index] = weight * value
         # Summed up anew, so that rounding does not depend on the way here.
-        self.mean[action] = sum(weighted) / (self._prior + sum(weights))
+        total = self._prior + sum(weights)
+        if total > 0.0:
+            self.mean[action] = sum(weighted) / total
 
     def visits(self, action: int) -> float:
         """Visits of all people together."""
         return sum(cell.row.visits[action] for cell in self._cells)
 
-    def variance(self, action: int) -> float:
-        """Posterior variance of the mean, where weights are precisions."""
-        return 1.0 / (self._prior + sum(self._weights[action]))
+    def variances(self) -> list[float]:
+        """Posterior variance of each mean, where weights are precisions."""
+        return [1.0 / (self._prior + sum(weights)) for weights in self._weights]
 
-    def others(self, cell: Cell, action: int) -> float | None:
+    def others(self, cell: "Cell", action: int) -> float | None:
         """Mean of all but one person; None if nothing is known of them."""
         weights, weighted = self._weights[action], self._weighted[action]
         total, values = sum(weights), sum(weighted)
@@ -127,6 +60,68 @@ class Population:
             total -= weights[cell.index]
             values -= weighted[cell.index]
         return values / total if total > _LEAST else None
+
+
+class Cell:
+    """One row as it is read.
+
+    Args:
+        name: of the row in the table.
+        key: of the part.
+        person: whose part it is; None: nobody's own.
+        row: values and visits; an empty one stands for a row that is not written yet.
+        written: whether the row is in the table.
+
+    Attributes:
+        population: all people in this part; None if it is nobody's own.
+        index: in the population; -1 before the row was written.
+        own: per behavior, what is read of the row itself.
+        pull: per behavior, how much of the population's mean is added.
+        revision: of an adaptive pooling, when `own` and `pull` were worked out.
+    """
+
+    __slots__ = (
+        "index",
+        "key",
+        "name",
+        "own",
+        "person",
+        "population",
+        "pull",
+        "revision",
+        "row",
+        "written",
+    )
+    population: Population
+
+    def __init__(
+        self,
+        name: Hashable,
+        key: Hashable,
+        person: Hashable,
+        row: Row,
+        *,
+        written: bool,
+    ) -> None:
+        self.name, self.key, self.person = name, key, person
+        self.row, self.written = row, written
+        self.index, self.revision = -1, -1
+        self.own: list[float] = row.values.copy()
+        self.pull: list[float] = [0.0] * len(self.own)
+
+    def pool(self, action: int, pooling: Pooling) -> None:
+        """Work out anew what is read of a behavior, here and in the population."""
+        values, visits = self.row
+        pull, weight = pooling.terms(visits[action], self.person)
+        self.own[action] = (1.0 - pull) * values[action]
+        self.pull[action] = pull
+        if self.index >= 0:
+            self.population.weigh(self.index, action, weight, values[action])
+
+    def pool_all(self, pooling: Pooling) -> None:
+        """Work out anew what is read of every behavior."""
+        for action in range(len(self.own)):
+            self.pool(action, pooling)
 
 
 _LEAST = 1e-9  # below, the difference is rounding

@@ -30,13 +30,20 @@ class Seen:
     Attributes:
         cells: a cell for each part.
         heard: those whose silence says something.
+        own: of each cell, what is read of itself.
+        pull: of each cell, how far it is drawn to its population.
+        mean: of each cell, the mean of its population.
     """
 
-    __slots__ = ("cells", "heard")
+    __slots__ = ("cells", "heard", "mean", "own", "pull")
 
     def __init__(self, cells: tuple[Cell, ...], heard: tuple[Cell, ...]) -> None:
         self.cells = cells
         self.heard = heard
+        # These lists are written in place, so they can be handed over once and for all.
+        self.own = [cell.own for cell in cells]
+        self.pull = [cell.pull for cell in cells]
+        self.mean: list[list[float]] = []
 
 
 class Memory:
@@ -54,14 +61,13 @@ class Memory:
         self, table: QTable, representation: Representation, pooling: Pooling
     ) -> None:
         self.table = table
-        self.representation = representation
-        self.pooling = pooling
+        self._representation = representation
+        self._pooling = pooling
         self._by_person = representation.by_person
         self._adaptive = pooling if isinstance(pooling, AdaptivePooling) else None
         self._seen: dict[Hashable, Seen] = {}
         self._cells: dict[Hashable, Cell] = {}
         self._populations: dict[Hashable, Population] = {}
-        self._nothing = [0.0] * table.n_behaviors
         if self._by_person:
             for key, person in cast(Iterable[tuple[Hashable, Hashable]], table.rows):
                 self._cell(key, person)
@@ -74,14 +80,9 @@ class Memory:
         """
         seen = self._seen.get(state)
         if seen is None:
-            parts = self.representation.parts(state)
-            cells = tuple(self._cell(part.key, part.person) for part in parts)
-            pairs = zip(cells, parts, strict=True)
-            heard = tuple(cell for cell, part in pairs if part.perceives)
-            seen = Seen(cells, heard)
             if len(self._seen) >= MEMO_SIZE:
                 self._forget()
-            self._seen[state] = seen
+            seen = self._seen[state] = self._look(state)
         return seen
 
     def taught(self, state: Hashable, giver: Hashable) -> tuple[Cell, ...]:
@@ -100,18 +101,17 @@ class Memory:
 
     def values(self, state: Hashable) -> Sequence[float]:
         """Value of each behavior, the sum over parts; for reading only."""
-        cells = self.seen(state).cells
+        seen = self.seen(state)
         if not self._by_person:
-            return cells[0].row.values
-        if not cells:
-            return self._nothing
-        self._adapt(cells)
-        own = zip(*[cell.own for cell in cells], strict=True)
-        pull = zip(*[cell.pull for cell in cells], strict=True)
-        common = zip(*[cell.population.mean for cell in cells], strict=True)
+            return seen.cells[0].row.values
+        if not seen.cells:
+            return [0.0] * self.table.n_behaviors
+        if self._adaptive is not None:
+            self._adapt(seen.cells)
+        own, pull, mean = zip(*seen.own), zip(*seen.pull), zip(*seen.mean)  # noqa: B905
         return [
-            sum(map(add, o, map(mul, p, c)))
-            for o, p, c in zip(own, pull, common, strict=True)
+            sum(map(add, o, map(mul, p, m)))
+            for o, p, m in zip(own, pull, mean)  # noqa: B905 - strictness takes time
         ]
 
     def visits(self, state: Hashable) -> Sequence[float]:
@@ -120,7 +120,7 @@ class Memory:
         if not self._by_person:
             return cells[0].row.visits
         self._adapt(cells)
-        found = self._nothing.copy()
+        found = [0.0] * self.table.n_behaviors
         for cell in cells:
             for a, (n, pull) in enumerate(zip(cell.row.visits, cell.pull, strict=True)):
                 others = cell.population.visits(a) - n if pull else 0.0
@@ -128,12 +128,13 @@ class Memory:
         return found
 
     def deviations(self, state: Hashable) -> Sequence[float]:
-        """Standard deviation of the posterior of each value; 0 without a posterior."""
-        found = self._nothing.copy()
+        """Standard deviation of the posterior of each value."""
+        found = [0.0] * self.table.n_behaviors
         for cell in self.seen(state).cells:
-            population = cell.population
-            for a, (own, pull) in enumerate(zip(cell.variance, cell.pull, strict=True)):
-                found[a] += own + pull**2 * population.variance(a)
+            common = cell.population.variances()
+            both = zip(cell.row.visits, cell.pull, common, strict=True)
+            for a, (n, pull, variance) in enumerate(both):
+                found[a] += self._pooling.variance(n) + pull**2 * variance
         return [variance**0.5 for variance in found]
 
     def parts(self, state: Hashable, action: int) -> dict[Hashable, float]:
@@ -151,16 +152,12 @@ class Memory:
     def move(
         self, cell: Cell, action: int, target: float, step: float, visits: float
     ) -> None:
-        """Move one value of a cell towards a target; see `QTable.move`."""
+        """Move one value of a cell towards a target; see `Row.move`."""
         if not cell.written:
-            cell.row = self.table.add(cell.name)
-            cell.written = True
-            if self._by_person:
-                cell.population.join(cell)
+            self._write(cell)
         cell.row.move(action, target, step, visits)
         if self._by_person:
-            cell.pool(action, self.pooling)
-            cell.population.pool(cell, action, self.pooling)
+            cell.pool(action, self._pooling)
 
     def compare(self, cell: Cell, action: int, value: float, weight: float) -> None:
         """Let an adaptive pooling compare what a person did with what others do."""
@@ -177,30 +174,44 @@ class Memory:
                 cell.pool_all(self._adaptive)
                 cell.revision = self._adaptive.revision
 
+    def _look(self, state: Hashable) -> Seen:
+        parts = self._representation.parts(state)
+        cells = tuple([self._cell(key, person) for key, person, _ in parts])
+        heard = tuple([c for c, p in zip(cells, parts, strict=True) if p.perceives])
+        seen = Seen(cells, cells if len(heard) == len(cells) else heard)
+        if self._by_person:
+            seen.mean = [cell.population.mean for cell in cells]
+        return seen
+
     def _cell(self, key: Hashable, person: Hashable) -> Cell:
         name = (key, person) if self._by_person else key
         cell = self._cells.get(name)
         if cell is None:
-            cell = self._cells[name] = self._made(name, key, person)
+            row, written = self.table.row(name), name in self.table.rows
+            cell = Cell(name, key, person, row, written=written)
+            self._cells[name] = cell
+            if self._by_person:
+                self._settle(cell)
         return cell
 
-    def _made(self, name: Hashable, key: Hashable, person: Hashable) -> Cell:
-        written = name in self.table.rows
-        cell = Cell(name, key, person, self.table.row(name), written=written)
+    def _settle(self, cell: Cell) -> None:
+        """Gives a cell its population."""
+        population = self._populations.get(cell.key)
+        if population is None:
+            population = Population(self.table.n_behaviors, self._pooling.prior)
+            self._populations[cell.key] = population
+        cell.population = population
+        if cell.written:
+            population.join(cell)
+        cell.pool_all(self._pooling)
+
+    def _write(self, cell: Cell) -> None:
+        cell.row = self.table.add(cell.name)
+        cell.written = True
         if self._by_person:
-            population = self._populations.get(key)
-            if population is None:
-                population = Population(self.table.n_behaviors, self.pooling.prior)
-                self._populations[key] = population
-            cell.population = population
-            cell.pool_all(self.pooling)
-            if written:
-                population.join(cell)
-                for action in range(self.table.n_behaviors):
-                    population.pool(cell, action, self.pooling)
-        return cell
+            cell.population.join(cell)
 
     def _forget(self) -> None:
         """Forgets what can be worked out again."""
         self._seen.clear()
-        self._cells = {n: cell for n, cell in self._cells.items() if cell.written}
+        self._cells = {name: c for name, c in self._cells.items() if c.written}

@@ -34,7 +34,7 @@ def moved(q_tm1: float, target: float, step: float) -> float:
 
     Source: section 3.1 of the paper, written as Q + alpha * (target - Q).
     """
-    return q_tm1 + step * td_error(q_tm1, target)
+    return q_tm1 + step * (target - q_tm1)
 
 
 def hysteretic(q_tm1: float, target: float, increase: float, decrease: float) -> float:
