@@ -42,18 +42,23 @@ class ExpectedTouch(CreditedLearner):
         return self.pooling.has_posterior and self.representation.by_person
 
     def _absorb(self, credits: Sequence[Credit]) -> None:
+        memory = self.memory
         if self.counts == "exposures":
+            action = self.history.entries[-1].action
             for cell in self._exposed():
-                self._expose(cell, self.history.entries[-1].action)
+                memory.compare(cell, action, 0.0, 1.0)
+                n = cell.row.visits[action] + 1.0
+                memory.move(cell, action, 0.0, 1.0 / n, 1.0)
         taught = [
             (cell, entry.action, weight, credit.reward.value)
             for credit in credits
             if credit.reward is not None
             for entry, weight in credit.shares
-            for cell in self.memory.taught(entry.state, credit.reward.giver)
+            for cell in memory.taught(entry.state, credit.reward.giver)
         ]
+        touch = self._exposed_touch if self.counts == "exposures" else self._touch
         for cell, action, weight, value in taught:
-            self._touch(cell, action, weight, value)
+            touch(cell, action, weight, value)
 
     def _exposed(self) -> Sequence[Cell]:
         """The cells of all who perceive the newest entry and not yet this bout."""
@@ -64,19 +69,18 @@ class ExpectedTouch(CreditedLearner):
         before = self.memory.seen(self.history.entries[-2].state).heard
         return [cell for cell in cells if cell not in before]
 
-    def _expose(self, cell: Cell, action: int) -> None:
-        self.memory.compare(cell, action, 0.0, 1.0)
-        n = cell.row.visits[action] + 1.0
-        self.memory.move(cell, action, 0.0, 1.0 / n, 1.0)
-
     def _touch(self, cell: Cell, action: int, weight: float, value: float) -> None:
-        values, visits = cell.row
-        if self.counts == "touches":
-            self.memory.compare(cell, action, weight * value, weight)
-            n = visits[action] + weight
-            self.memory.move(cell, action, value, weight / n, weight)
-            return
+        """One touch more in the mean of touches."""
+        self.memory.compare(cell, action, weight * value, weight)
+        n = cell.row.visits[action] + weight
+        self.memory.move(cell, action, value, weight / n, weight)
+
+    def _exposed_touch(
+        self, cell: Cell, action: int, weight: float, value: float
+    ) -> None:
+        """A touch in the mean of exposures, of which it is none more."""
         self.memory.compare(cell, action, weight * value, 0.0)
+        values, visits = cell.row
         # Who gives a touch was exposed, even if the robot could not know.
         missed = max(1.0 - visits[action], 0.0)
         mean = values[action] + weight * value / (visits[action] + missed)

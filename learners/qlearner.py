@@ -13,7 +13,7 @@ from learners.saving import DERIVED, saved
 from learners.tabular.base import CreditedLearner
 from learners.tabular.cells import Cell
 from learners.tabular.qtable import QTable
-from learners.tabular.rates import Factors, Rate, SocialRate
+from learners.tabular.rates import Factors, Rate, SocialRate, at
 from learners.tabular.updates import td_error
 
 
@@ -171,11 +171,9 @@ class QLearner(CreditedLearner):
         if not self.representation.by_person:
             cells = self.memory.seen(entry.state).cells
             return [(cell, value + self.gamma * best) for cell in cells]
-        parts = self.memory.parts(entry.next_state, following.index(best))
-        return [
-            (cell, value + self.gamma * parts.get(cell.person, 0.0))
-            for cell in self._taught(entry, reward)
-        ]
+        cells = self._taught(entry, reward)
+        parts = self.memory.parts(entry.next_state, following.index(best), cells)
+        return [(c, value + self.gamma * p) for c, p in zip(cells, parts, strict=True)]
 
     def _traced(self, entry: Experience, credit: Credit) -> list[Aim]:
         """Where each cell stands, and the newest pair's error on top of it."""
@@ -201,21 +199,31 @@ class QLearner(CreditedLearner):
         return self._values(entry.state)[entry.action]
 
     def _move(self, update: Update, strength: float) -> None:
-        own, *analogs = self.analogy.spread(update.state)
-        moves = {cell: (aim, own[1]) for cell, aim in update.aims}
+        spread = self.analogy.spread(update.state)
+        moves = [(cell, aim, spread[0][1]) for cell, aim in update.aims]
+        if len(spread) > 1:
+            moves += self._carried(update, spread[1:])
+        rate = at(self.rate, self.table.updates, update.factors)
+        memory, action = self.memory, update.action
+        for cell, aim, share in moves:
+            values, visits = cell.row
+            weight = update.weight * (share * strength)
+            step = rate(visits[action]) * weight * self._pace(values[action], aim)
+            memory.move(cell, action, aim, step, min(weight, 1.0))
+        self.table.updates += 1
+
+    def _carried(
+        self, update: Update, analogs: Sequence[tuple[Hashable, float]]
+    ) -> list[tuple[Cell, float, float]]:
+        """The cells of analogs, each once, where they move, and how strongly."""
+        own = {cell for cell, _ in update.aims}
+        moves: dict[Cell, tuple[float, float]] = {}
         for state, share in analogs:
             for like, aim in update.aims:
                 for cell in self.memory.alike(state, like):
-                    moves.setdefault(cell, (aim, share))
-        for cell, (aim, share) in moves.items():
-            self._step(cell, update, aim, update.weight * (share * strength))
-        self.table.updates += 1
-
-    def _step(self, cell: Cell, update: Update, aim: float, weight: float) -> None:
-        action, (values, visits) = update.action, cell.row
-        rate = self.rate(self.table.updates, visits[action], update.factors)
-        step = rate * weight * self._pace(values[action], aim)
-        self.memory.move(cell, action, aim, step, min(weight, 1.0))
+                    if cell not in own:
+                        moves.setdefault(cell, (aim, share))
+        return [(cell, *move) for cell, move in moves.items()]
 
     def _pace(self, value: float, target: float) -> float:
         """Factor on the step of one update; 1 in plain Q-learning."""

@@ -122,25 +122,33 @@ class Trace(CreditRule):
         return weights
 
 
-def eligibility(
-    seconds: float, reward: float, sigma_stm: float, sigma_rwd: float, squared: bool
-) -> float:
-    """The paper's eligibility discount in time, without its transition probability.
+def reach(reward: float, sigma_stm: float, sigma_rwd: float, *, squared: bool) -> float:
+    """How far the paper's eligibility discount reaches in time, one sigma of it [s].
 
-        exp(-1/2 * (t / (sigma_stm * exp(-1/2 * (1 - r) / sigma_rwd)))^2)
+        sigma_stm * exp(-1/2 * (1 - r) / sigma_rwd)
 
     Args:
-        seconds: t, time between the pair and the designated one [s].
         reward: r in [-1, 1]; the higher, the further it reaches.
         sigma_stm: reach of a full caress [s] ("short-term memory").
         sigma_rwd: how little a lower reward shortens the reach.
         squared: square (1 - r) / sigma_rwd, which the printed formula does not, though
             a Gaussian would.
+    """
+    lack = (1.0 - reward) / sigma_rwd
+    return sigma_stm * math.exp(-0.5 * (lack * lack if squared else lack))
+
+
+def eligibility(seconds: float, reach: float) -> float:
+    """The paper's eligibility discount in time, without its transition probability.
+
+        exp(-1/2 * (t / reach)^2)
+
+    Args:
+        seconds: t, time between the pair and the designated one [s].
+        reach: see `reach` [s].
 
     Source: section 3.1 of the paper, as printed.
     """
-    lack = (1.0 - reward) / sigma_rwd
-    reach = sigma_stm * math.exp(-0.5 * (lack * lack if squared else lack))
     return math.exp(-0.5 * (seconds / reach) ** 2)
 
 
@@ -161,7 +169,7 @@ class Designated(CreditRule):
         sigma_stm: reach of a full caress [s], > 0. 1.6 s with sigma_rwd = 1 gives a
             full tap a reach of 0.59 s, which Table 1 demands (inferred from it).
         sigma_rwd: how little a lower reward shortens the reach, > 0.
-        squared: see `eligibility`; False is as printed.
+        squared: see `reach`; False is as printed.
     """
 
     heuristic: Heuristic = field(default_factory=BeforeApproach)
@@ -178,29 +186,22 @@ class Designated(CreditRule):
     ) -> Weighing:
         """1 to the designated pair, the eligibility function to its neighbors."""
         designated = self.heuristic(reward, history)
+        sigma = reach(
+            reward.value, self.sigma_stm, self.sigma_rwd, squared=self.squared
+        )
+        middle = history.entries[designated].time
+        first = history.in_force(middle - _FURTHEST * sigma)
+        last = history.in_force(middle + _FURTHEST * sigma)
         weights: dict[int, float] = {}
-        for index in range(len(history)):
-            weight = self._weight(index, designated, reward.value, history, network)
+        for index in range(first, last + 1):
+            seconds = abs(history.entries[index].time - middle)
+            weight = eligibility(seconds, sigma) if index != designated else 1.0
+            if index not in (0, designated) and weight >= LEAST_WEIGHT:
+                entry, before = history.entries[index], history.entries[index - 1]
+                weight *= network.probability(entry.state, before.state, before.action)
             if weight >= LEAST_WEIGHT:
                 weights[index] = weight
         return Weighing(weights, designated)
 
-    def _weight(
-        self,
-        index: int,
-        designated: int,
-        reward: float,
-        history: History,
-        network: SituationNetwork,
-    ) -> float:
-        if index == designated:
-            return 1.0
-        entry = history.entries[index]
-        seconds = abs(entry.time - history.entries[designated].time)
-        weight = eligibility(
-            seconds, reward, self.sigma_stm, self.sigma_rwd, self.squared
-        )
-        if weight < LEAST_WEIGHT or index == 0:
-            return weight
-        before = history.entries[index - 1]
-        return weight * network.probability(entry.state, before.state, before.action)
+
+_FURTHEST = 4.0  # sigmas away, eligibility is below LEAST_WEIGHT: exp(-8) is 0.0003

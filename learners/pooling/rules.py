@@ -23,13 +23,18 @@ class Pooling(ABC):
     """How far people are read off each other; users add their own."""
 
     has_posterior: ClassVar[bool] = False
-    """Whether `variance` is that of a posterior."""
+    """Whether weights are precisions and `between` is known, so that what is read is
+    the mean of a posterior."""
 
     learns: ClassVar[bool] = False
     """Whether it changes with what people are found to do; see `AdaptivePooling`."""
 
     prior: float = 0.0
     """Weight of a population mean of 0 before any evidence, >= 0."""
+
+    between: float = 0.0
+    """Variance of people around the population; of a posterior, pull times it is the
+    variance of a person, were the population's mean known."""
 
     @abstractmethod
     def terms(self, n: float, person: Hashable) -> tuple[float, float]:
@@ -39,10 +44,6 @@ class Pooling(ABC):
             How far the person is drawn to the population, in [0, 1], and what it weighs
             in the population's mean, 0 without observations.
         """
-
-    def variance(self, n: float) -> float:
-        """Posterior variance of a person's own part, given the population's mean."""
-        return 0.0
 
 
 @saved
@@ -102,7 +103,7 @@ class HierarchicalPooling(Pooling):
     touch: float = 0.5
     # Worked out once, as they are asked for with every update.
     prior: float = _derived()
-    _between: float = _derived()
+    between: float = _derived()
     _within: float = _derived()
     _precision: float = _derived()
 
@@ -111,7 +112,7 @@ class HierarchicalPooling(Pooling):
             check_positive(name, getattr(self, name))
         worked_out = {
             "prior": 1.0 / self.population**2,
-            "_between": self.person**2,
+            "between": self.person**2,
             "_within": self.touch**2,
             "_precision": 1.0 / self.person**2,
         }
@@ -124,9 +125,5 @@ class HierarchicalPooling(Pooling):
             return 1.0, 0.0
         return (
             self._precision / (self._precision + n / self._within),
-            1.0 / (self._between + self._within / n),
+            1.0 / (self.between + self._within / n),
         )
-
-    def variance(self, n: float) -> float:
-        """Posterior variance of the person's mean, were the population's known."""
-        return 1.0 / (self._precision + n / self._within)

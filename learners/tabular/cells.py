@@ -15,12 +15,14 @@ class Population:
 
     Attributes:
         mean: per behavior, the population's.
+        variance: per behavior, that of the mean, where weights are precisions.
     """
 
-    __slots__ = ("_cells", "_prior", "_weighted", "_weights", "mean")
+    __slots__ = ("_cells", "_prior", "_weighted", "_weights", "mean", "variance")
 
     def __init__(self, n_behaviors: int, prior: float) -> None:
         self.mean = [0.0] * n_behaviors
+        self.variance = [1.0 / prior if prior else 0.0] * n_behaviors
         self._prior = prior
         self._cells: list[Cell] = []
         self._weights: list[list[float]] = [[] for _ in self.mean]
@@ -34,7 +36,7 @@ class Population:
             weights.append(0.0)
             weighted.append(0.0)
 
-    def weigh(self, index: int, action: int, weight: float, value: float) -> None:
+    def weigh(self, action: int, index: int, weight: float, value: float) -> None:
         """One person's row was moved: work out the mean of a behavior anew."""
         weights, weighted = self._weights[action], self._weighted[action]
         weights[index] = weight
@@ -43,14 +45,11 @@ class Population:
         total = self._prior + sum(weights)
         if total > 0.0:
             self.mean[action] = sum(weighted) / total
+            self.variance[action] = 1.0 / total
 
     def visits(self, action: int) -> float:
         """Visits of all people together."""
         return sum(cell.row.visits[action] for cell in self._cells)
-
-    def variances(self) -> list[float]:
-        """Posterior variance of each mean, where weights are precisions."""
-        return [1.0 / (self._prior + sum(weights)) for weights in self._weights]
 
     def others(self, cell: "Cell", action: int) -> float | None:
         """Mean of all but one person; None if nothing is known of them."""
@@ -112,11 +111,12 @@ class Cell:
     def pool(self, action: int, pooling: Pooling) -> None:
         """Work out anew what is read of a behavior, here and in the population."""
         values, visits = self.row
+        value = values[action]
         pull, weight = pooling.terms(visits[action], self.person)
-        self.own[action] = (1.0 - pull) * values[action]
+        self.own[action] = (1.0 - pull) * value
         self.pull[action] = pull
         if self.index >= 0:
-            self.population.weigh(self.index, action, weight, values[action])
+            self.population.weigh(action, self.index, weight, value)
 
     def pool_all(self, pooling: Pooling) -> None:
         """Work out anew what is read of every behavior."""

@@ -33,9 +33,10 @@ class Seen:
         own: of each cell, what is read of itself.
         pull: of each cell, how far it is drawn to its population.
         mean: of each cell, the mean of its population.
+        people: cells by person.
     """
 
-    __slots__ = ("cells", "heard", "mean", "own", "pull")
+    __slots__ = ("cells", "heard", "mean", "own", "people", "pull")
 
     def __init__(self, cells: tuple[Cell, ...], heard: tuple[Cell, ...]) -> None:
         self.cells = cells
@@ -44,6 +45,10 @@ class Seen:
         self.own = [cell.own for cell in cells]
         self.pull = [cell.pull for cell in cells]
         self.mean: list[list[float]] = []
+        self.people: dict[Hashable, Cell] = {}
+
+
+_NEVER = object()  # a state that is never met
 
 
 class Memory:
@@ -68,6 +73,7 @@ class Memory:
         self._seen: dict[Hashable, Seen] = {}
         self._cells: dict[Hashable, Cell] = {}
         self._populations: dict[Hashable, Population] = {}
+        self._latest = self._before = (_NEVER, Seen((), ()))
         if self._by_person:
             for key, person in cast(Iterable[tuple[Hashable, Hashable]], table.rows):
                 self._cell(key, person)
@@ -78,19 +84,21 @@ class Memory:
         Raises:
             StateError: if the state lacks what the representation asks of it.
         """
-        seen = self._seen.get(state)
-        if seen is None:
-            if len(self._seen) >= MEMO_SIZE:
-                self._forget()
-            seen = self._seen[state] = self._look(state)
-        return seen
+        # Asked several times about the same two: before and after an entry.
+        if state is self._latest[0]:
+            return self._latest[1]
+        if state is not self._before[0]:
+            self._before, self._latest = self._latest, (state, self._known(state))
+            return self._latest[1]
+        return self._before[1]
 
     def taught(self, state: Hashable, giver: Hashable) -> tuple[Cell, ...]:
         """The cells of a state that a touch of this giver teaches; maybe none."""
-        cells = self.seen(state).cells
+        seen = self.seen(state)
         if not self._by_person:
-            return cells
-        return tuple(cell for cell in cells if cell.person == giver)
+            return seen.cells
+        cell = seen.people.get(giver)
+        return () if cell is None else (cell,)
 
     def alike(self, state: Hashable, cell: Cell) -> tuple[Cell, ...]:
         """The cells of another state that stand where this one stands in its own."""
@@ -105,7 +113,7 @@ class Memory:
         if not self._by_person:
             return seen.cells[0].row.values
         if not seen.cells:
-            return [0.0] * self.table.n_behaviors
+            return self._zeros()
         if self._adaptive is not None:
             self._adapt(seen.cells)
         own, pull, mean = zip(*seen.own), zip(*seen.pull), zip(*seen.mean)  # noqa: B905
@@ -120,7 +128,7 @@ class Memory:
         if not self._by_person:
             return cells[0].row.visits
         self._adapt(cells)
-        found = [0.0] * self.table.n_behaviors
+        found = self._zeros()
         for cell in cells:
             for a, (n, pull) in enumerate(zip(cell.row.visits, cell.pull, strict=True)):
                 others = cell.population.visits(a) - n if pull else 0.0
@@ -129,24 +137,28 @@ class Memory:
 
     def deviations(self, state: Hashable) -> Sequence[float]:
         """Standard deviation of the posterior of each value."""
-        found = [0.0] * self.table.n_behaviors
-        for cell in self.seen(state).cells:
-            common = cell.population.variances()
-            both = zip(cell.row.visits, cell.pull, common, strict=True)
-            for a, (n, pull, variance) in enumerate(both):
-                found[a] += self._pooling.variance(n) + pull**2 * variance
-        return [variance**0.5 for variance in found]
-
-    def parts(self, state: Hashable, action: int) -> dict[Hashable, float]:
-        """Each person's part in the value of one behavior."""
         cells = self.seen(state).cells
-        return {cell.person: self.value(cell, action) for cell in cells}
+        pulls = zip(*[cell.pull for cell in cells], strict=True)
+        common = zip(*[cell.population.variance for cell in cells], strict=True)
+        between = self._pooling.between
+        found = [
+            between * sum(pull) + sum(map(mul, map(mul, pull, pull), variance))
+            for pull, variance in zip(pulls, common, strict=True)
+        ]
+        return [variance**0.5 for variance in found] or self._zeros()
+
+    def parts(self, state: Hashable, action: int, cells: Sequence[Cell]) -> list[float]:
+        """What the people of some cells have for a part in the value of a behavior."""
+        people = self.seen(state).people
+        found = [people.get(cell.person) for cell in cells]
+        return [0.0 if cell is None else self.value(cell, action) for cell in found]
 
     def value(self, cell: Cell, action: int) -> float:
         """What is read of one cell."""
         if not self._by_person:
             return cell.row.values[action]
-        self._adapt((cell,))
+        if self._adaptive is not None:
+            self._adapt((cell,))
         return cell.own[action] + cell.pull[action] * cell.population.mean[action]
 
     def move(
@@ -166,6 +178,9 @@ class Memory:
             if expected is not None:
                 self._adaptive.compare(cell.person, value, expected, weight)
 
+    def _zeros(self) -> list[float]:
+        return [0.0] * self.table.n_behaviors
+
     def _adapt(self, cells: Sequence[Cell]) -> None:
         if self._adaptive is None:
             return
@@ -174,6 +189,14 @@ class Memory:
                 cell.pool_all(self._adaptive)
                 cell.revision = self._adaptive.revision
 
+    def _known(self, state: Hashable) -> Seen:
+        seen = self._seen.get(state)
+        if seen is None:
+            if len(self._seen) >= MEMO_SIZE:
+                self._forget()
+            seen = self._seen[state] = self._look(state)
+        return seen
+
     def _look(self, state: Hashable) -> Seen:
         parts = self._representation.parts(state)
         cells = tuple([self._cell(key, person) for key, person, _ in parts])
@@ -181,6 +204,7 @@ class Memory:
         seen = Seen(cells, cells if len(heard) == len(cells) else heard)
         if self._by_person:
             seen.mean = [cell.population.mean for cell in cells]
+            seen.people = {cell.person: cell for cell in cells}
         return seen
 
     def _cell(self, key: Hashable, person: Hashable) -> Cell:
@@ -214,4 +238,5 @@ class Memory:
     def _forget(self) -> None:
         """Forgets what can be worked out again."""
         self._seen.clear()
+        self._latest = self._before = (_NEVER, Seen((), ()))
         self._cells = {name: c for name, c in self._cells.items() if c.written}

@@ -1,5 +1,6 @@
 """Learning rates: how far one update moves a value. Reading a rate changes nothing."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
@@ -22,6 +23,10 @@ class Factors(NamedTuple):
     mood: float
 
 
+RateNow = Callable[[float], float]
+"""The rate of one update, as a function of a pair's visits."""
+
+
 class Rate(Protocol):
     """A learning rate."""
 
@@ -34,6 +39,19 @@ class Rate(Protocol):
             factors: the social factors of this update.
         """
         ...
+
+
+def at(rate: Rate, updates: float, factors: Factors) -> RateNow:
+    """The rate of one update of many pairs.
+
+    Args:
+        rate: the rule.
+        updates: t, updates of the whole table so far.
+        factors: the social factors of this update.
+    """
+    if isinstance(rate, SocialRate):
+        return rate.at(factors)
+    return lambda visits: rate(updates, visits, factors)
 
 
 @saved
@@ -157,6 +175,11 @@ class SocialRate:
             + (-0.5 if attended else 0.5) * self.attention
             - 0.5 * mood * self.mood
         )
+
+    def at(self, factors: Factors) -> RateNow:
+        """The rate under some factors, as a function of a pair's visits."""
+        exponent = -self.exponent(factors)
+        return lambda visits: (1.0 + visits) ** exponent
 
     def __call__(self, updates: float, visits: float, factors: Factors) -> float:
         """The rate after `visits` updates of the pair, under the factors."""

@@ -9,7 +9,7 @@ from learners.credit.heuristics import (
     MostRecent,
 )
 from learners.credit.history import History
-from learners.credit.rules import Designated, Immediate, Trace, eligibility
+from learners.credit.rules import Designated, Immediate, Trace, eligibility, reach
 from learners.credit.transitions import SituationNetwork
 from learners.errors import ExperienceError, ParameterError
 
@@ -90,23 +90,23 @@ def test_table_1_classic_column(paper_history, paper_network, touch):
 
 def test_the_printed_eligibility_function():
     # reach = 2 * exp(-1/2 * (1 - 0.2) / 0.5) = 2 * exp(-0.8)
-    reach = 2 * math.exp(-0.8)
-    assert eligibility(1.5, 0.2, 2.0, 0.5, squared=False) == pytest.approx(
-        math.exp(-0.5 * (1.5 / reach) ** 2)
+    sigma = 2 * math.exp(-0.8)
+    assert eligibility(1.5, reach(0.2, 2.0, 0.5, squared=False)) == pytest.approx(
+        math.exp(-0.5 * (1.5 / sigma) ** 2)
     )
 
 
 def test_the_squared_eligibility_function():
     # reach = 2 * exp(-1/2 * (0.8 / 0.5)^2) = 2 * exp(-1.28)
-    reach = 2 * math.exp(-1.28)
-    assert eligibility(0.5, 0.2, 2.0, 0.5, squared=True) == pytest.approx(
-        math.exp(-0.5 * (0.5 / reach) ** 2)
+    sigma = 2 * math.exp(-1.28)
+    assert eligibility(0.5, reach(0.2, 2.0, 0.5, squared=True)) == pytest.approx(
+        math.exp(-0.5 * (0.5 / sigma) ** 2)
     )
 
 
 def test_a_caress_reaches_further_in_time_than_a_tap():
-    caress = eligibility(1.0, 1.0, 1.6, 1.0, squared=False)
-    tap = eligibility(1.0, -1.0, 1.6, 1.0, squared=False)
+    caress = eligibility(1.0, reach(1.0, 1.6, 1.0, squared=False))
+    tap = eligibility(1.0, reach(-1.0, 1.6, 1.0, squared=False))
     assert caress == pytest.approx(math.exp(-0.5 / 1.6**2))
     assert tap < caress
 
