@@ -1,17 +1,21 @@
 """What must a robot represent to learn from many people, and to meet new ones?
 
-Three studies on one kind of household: each role wants another behavior, all people by
-themselves depart from that by the same share, one robot lives with them.
+One robot lives in a household, learns, is frozen and probed. Two studies are on homes
+in which every role wants another behavior, one on the shipped norms.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cache, partial
+from functools import partial
 from typing import Any
+
+import msgspec
 
 from experiments.running.study import Condition, Study
 from experiments.studies.drawn import Households, describe_learner, score
+from household.config.toml import packaged, read_toml
+from household.scenario.persona import Persona
 
 BEHAVIORS = ("sleep", "play", "say_hello", "follow", "ask", "retreat")
 
@@ -29,16 +33,31 @@ WANTED: Mapping[str, str] = {
 LIKED, DISLIKED = 0.8, -0.6
 """What a norm gives to the behavior that is wanted, and to all others."""
 
-REPRESENTATIONS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
-    "named": ("designated", {"representation": "named"}),
+LEARNERS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
+    "whole situation": ("designated", {"representation": "named"}),
     "canonical": ("designated", {"representation": "canonical"}),
-    "nameless": ("designated", {"representation": "nameless"}),
-    "view set": ("designated", {"representation": "view_set"}),
-    "views": ("expected_touch", {"representation": "views"}),
-    "views within hearing": ("expected_touch", {"representation": "audible_views"}),
-    "views per person": ("expected_touch", {"representation": "person_views"}),
+    "canonical without names": ("designated", {"representation": "nameless"}),
+    "set of views": ("designated", {"representation": "view_set"}),
+    "views": ("full_sharing", {"representation": "views"}),
+    "views, exposures": (
+        "full_sharing",
+        {"representation": "views", "counts": "exposures"},
+    ),
+    "views within hearing, exposures": (
+        "full_sharing",
+        {"representation": "audible_views", "counts": "exposures"},
+    ),
+    "views within hearing, exposures, hierarchical": (
+        "hierarchical_thompson",
+        {"representation": "audible_views", "counts": "exposures"},
+    ),
+    "views per person, exposures": (
+        "full_sharing",
+        {"representation": "person_views", "counts": "exposures"},
+    ),
 }
-"""Name -> learner of the catalog and its settings."""
+"""What is represented, what silence teaches and how people are pooled -> learner of the
+catalog and its settings. All credit touches to designated pairs."""
 
 PEOPLE = (1, 2, 4, 8, 12)
 HETEROGENEITY = (0.0, 0.25)
@@ -48,49 +67,55 @@ HALF_HOUR, CHOICES_5000 = 1_500, 33_000
 """Decisions that a robot learns for: 25 minutes; and as many as 5,000 choices take."""
 
 
-@cache
-def _family(home: tuple[tuple[str, Any], ...], mistakes: float) -> dict[str, Any]:
-    """The household of all three studies, as plain data."""
-    import msgspec
+HEARD = 75.0
+"""Loudness of the sounds that situations say somebody would hear [dB at 1 m]: play."""
 
-    from household.config.toml import packaged, read_toml
-    from household.scenario.persona import Persona
 
-    person = Persona(name="plain", mistakes=mistakes)
-    norm = {
-        role: {
-            behavior: LIKED if behavior == wanted else DISLIKED
-            for behavior in BEHAVIORS
-        }
-        for role, wanted in WANTED.items()
-    }
+def _family(
+    home: Mapping[str, Any], norms: Mapping[str, Any], persona: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The households of a study, as plain data."""
     return {
-        "name": "own_norms",
+        "name": "many_people",
         "demand": "Do what the people who perceive it want in their roles",
-        "home": dict(home),
+        "home": home,
         "people": [1, 12],
-        "personas": [msgspec.to_builtins(person)],
+        "personas": [persona],
         "residents": [{"schedule": read_toml(packaged("scenario/schedule.toml"))}],
         "behaviors": list(BEHAVIORS),
-        "norms": {
-            role: {"attending": values, "absorbed": values}
-            for role, values in norm.items()
-        },
-        "situation": {"attention": "robot", "hears": 75.0},
+        "norms": norms,
+        "situation": {"attention": "robot", "hears": HEARD},
     }
 
 
-VILLA = (("shipped", ("villa",)),)
-GENERATED = (("rooms", (8, 8)), ("room_area", (15.0, 15.0)))
+def _own_norms() -> dict[str, Any]:
+    """Every role wants a behavior of its own, whether people attend or not."""
+    norms = {}
+    for role, wanted in WANTED.items():
+        values = {each: LIKED if each == wanted else DISLIKED for each in BEHAVIORS}
+        norms[role] = {"attending": values, "absorbed": values}
+    return norms
+
+
+def _persona(mistakes: float) -> dict[str, Any]:
+    """Somebody with the usual constants of a persona, but for mistakes."""
+    persona: dict[str, Any] = msgspec.to_builtins(
+        Persona(name="plain", mistakes=mistakes)
+    )
+    return persona
+
+
+VILLA: Mapping[str, Any] = {"shipped": ["villa"]}
+GENERATED: Mapping[str, Any] = {"rooms": [8, 8], "room_area": [15.0, 15.0]}
 
 
 def actors(seeds: tuple[int, ...]) -> tuple[Study, ...]:
-    """Returns one study for each number of people in the villa."""
+    """Returns one study for each number of people: 25 minutes in the villa."""
     return tuple(
         _study(
             f"actors/{people}",
             Households(
-                family=_family(VILLA, 0.0),
+                family=_family(VILLA, _own_norms(), _persona(0.0)),
                 draw={"n_people": people, "n_robots": 1, "heterogeneity": 0.3},
                 decisions=HALF_HOUR,
             ),
@@ -107,7 +132,7 @@ def plenty(seeds: tuple[int, ...]) -> tuple[Study, ...]:
         _study(
             f"plenty/mistakes_{mistakes:.2f}",
             Households(
-                family=_family(GENERATED, mistakes),
+                family=_family(GENERATED, _own_norms(), _persona(mistakes)),
                 draw={"n_people": 8, "n_robots": 1, "heterogeneity": 0.3},
                 decisions=CHOICES_5000,
             ),
@@ -124,7 +149,7 @@ def newcomers(seeds: tuple[int, ...]) -> tuple[Study, ...]:
         _study(
             f"newcomers/h_{h:.2f}",
             Households(
-                family=_family(GENERATED, 0.0),
+                family=_family(GENERATED, _own_norms(), _persona(0.0)),
                 draw={"n_people": 4, "n_robots": 1, "heterogeneity": h},
                 decisions=HALF_HOUR,
                 anew=("people",),
@@ -136,24 +161,28 @@ def newcomers(seeds: tuple[int, ...]) -> tuple[Study, ...]:
     )
 
 
+def _folder(name: str) -> str:
+    return name.replace(",", "").replace(" ", "_")
+
+
 def _study(
-    name: str,
+    study: str,
     households: Households,
     factors: Mapping[str, str],
     seeds: tuple[int, ...],
 ) -> Study:
     """Every representation in households of one kind."""
     return Study(
-        name=name,
+        name=study,
         conditions=tuple(
             Condition(
-                name=representation.replace(" ", "_"),
+                name=_folder(name),
                 scenario="own_norms",
                 learner=learner,
                 learner_overrides=settings,
-                factors={"representation": representation, **factors},
+                factors={"learner": name, **factors},
             )
-            for representation, (learner, settings) in REPRESENTATIONS.items()
+            for name, (learner, settings) in LEARNERS.items()
         ),
         seeds=seeds,
         run=partial(score, households=households),
