@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Final, ParamSpec, TypeVar, cast
 
-from numba import boolean, float32, float64, intp, njit
+from numba import njit
 
 from household.compiled.signature import (
     Sizes,
@@ -20,12 +20,6 @@ from household.compiled.signature import (
 
 P = ParamSpec("P")
 R = TypeVar("R")
-
-FLOAT, INDEX, TRUTH = float64, intp, boolean
-FLOATS, INDICES, MASK = float64[:], intp[:], boolean[:]
-FLOATS_2D, INDICES_2D, MASK_2D = float64[:, :], intp[:, :], boolean[:, :]
-FLOATS_3D, SINGLES_2D = float64[:, :, :], float32[:, :]
-"""Kinds of arguments, for `bind`; of arrays, those with gaps, too."""
 
 HOUSEHOLD = Path(__file__).parents[1]
 
@@ -71,38 +65,39 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
         return cast("Callable[P, R]", njit(error_model=RULES)(function))
 
 
-def bind(
-    function: Callable[..., R], *first: object, then: Sequence[Any] | None = None
-) -> Callable[..., R]:
+def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
     """Fixes the first arguments of a compiled function, and the kinds of the others.
 
     Numba finds out at each call of what kind every argument is, and that takes as long
-    as many of our loops do. Here it finds out once, so that only arrays of our own may
-    be handed over: it no longer checks what they hold, and would read wrong memory.
-    Where the environment variable `CHECKED` is 1 when a function is bound, as in the
-    tests, every call is checked, whether Numba is switched off or not.
+    as many of our loops do. Here it finds out once, from the annotations of the
+    function, so that only arrays of our own may be handed over: it no longer checks
+    what they hold, and would read wrong memory. Where the environment variable
+    `CHECKED` is 1 when a function is bound, as in the tests, every call is checked,
+    whether Numba is switched off or not.
 
     Args:
-        function: From `compiled`.
+        function: From `compiled`. All parameters but the first are annotated as
+            `household.compiled.signature` says.
         first: The same at every call: numbers, arrays or records of arrays.
-        then: What all that follow are: records' classes, arrays with their shape, as in
-            ``Annotated[Floats, "n", 2]``, or kinds such as `FLOATS`. As annotated in
-            the function, if not given.
 
     Returns:
         A function of the other arguments, by position. In checked mode it raises a
         TypeError if one has another type, number of dimensions, shape or layout than
         it should have.
+
+    Raises:
+        TypeError: If an annotation does not say enough; in checked mode, if one of the
+            first arguments is not what it should be.
     """
     parameters = parameters_of(function)
-    others = tuple(list(parameters.values())[len(first) :] if then is None else then)
     bound = partial(function, *first)
     if hasattr(function, "compile"):  # Not with NUMBA_DISABLE_JIT.
+        others = list(parameters.values())[len(first) :]
         kinds = (*map(typeof, first), *map(kind_of, others))
         bound = partial(function.compile(kinds), *first)
     if os.environ.get(CHECKED) != "1":
         return bound
-    return _checked(bound, function.__name__, parameters, first, others)
+    return _checked(bound, function.__name__, parameters, first)
 
 
 def _checked(
@@ -110,20 +105,16 @@ def _checked(
     function: str,
     parameters: Mapping[str, Any],
     first: Sequence[object],
-    others: Sequence[Any],
 ) -> Callable[..., R]:
     """A bound function that looks at what it is handed over."""
-    labels = [f"{function}(), argument {name}" for name in parameters]
     known: Sizes = {}
-    for label, annotation, value in zip(
-        labels, parameters.values(), first, strict=False
-    ):
-        if says_enough(annotation):
-            check_of(label, annotation)(value, known)
-    checks = [
-        check_of(label, annotation)
-        for label, annotation in zip(labels[len(first) :], others, strict=True)
-    ]
+    checks = []
+    for k, (name, annotation) in enumerate(parameters.items()):
+        label = f"{function}(), argument {name}"
+        if k >= len(first):
+            checks.append(check_of(label, annotation))
+        elif says_enough(annotation):
+            check_of(label, annotation)(first[k], known)
 
     def call(*arguments: object) -> R:
         sizes = known.copy()

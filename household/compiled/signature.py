@@ -14,6 +14,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 import numba
 import numpy as np
 from numba import boolean, float64, from_dtype, intp, types
+from numba.core.errors import NumbaError
 from numba.np.numpy_support import as_dtype
 
 typeof: Callable[[object], Any] = numba.typeof
@@ -50,14 +51,12 @@ def kind_of(annotation: Any) -> Any:  # noqa: ANN401
     """The Numba type of what has an annotation.
 
     Args:
-        annotation: A number's, that of an array with its shape, a record's class, a
-            tuple of such, or a Numba type already.
+        annotation: That of a number or of an array with its shape, a record's class, or
+            a tuple of such.
 
     Raises:
         TypeError: If it does not say enough, as that of an array without a shape.
     """
-    if isinstance(annotation, types.Type):
-        return annotation
     if annotation in NUMBERS:
         return NUMBERS[annotation]
     if _is_record(annotation):
@@ -88,7 +87,7 @@ def check_of(name: str, annotation: Any) -> Check:  # noqa: ANN401
         parts = [check_of(f"{name}[{k}]", part) for k, part in items]
         return _check_parts(name, tuple, parts)
     kind = kind_of(annotation)
-    if isinstance(kind, types.Array):
+    if _shape(annotation):
         return _check_array(name, kind, _shape(annotation))
     return _check_number(name, kind)
 
@@ -102,6 +101,8 @@ def _check_parts(name: str, kind: type, parts: Sequence[Check]) -> Check:
     def check(value: object, sizes: Sizes) -> None:
         if not (isinstance(value, tuple) and isinstance(value, kind)):
             raise _error(name, kind.__name__, type(value).__name__)
+        if len(value) != len(parts):
+            raise _error(name, f"{len(parts)} items", str(len(value)))
         for check_part, item in zip(parts, value, strict=True):
             check_part(item, sizes)
 
@@ -109,18 +110,17 @@ def _check_parts(name: str, kind: type, parts: Sequence[Check]) -> Check:
 
 
 def _check_array(name: str, kind: Any, shape: tuple[str | int, ...]) -> Check:  # noqa: ANN401
-    dtype, contiguous = as_dtype(kind.dtype), kind.layout == "C"
+    dtype = as_dtype(kind.dtype)
 
     def check(value: object, sizes: Sizes) -> None:
         if not (
             isinstance(value, np.ndarray)
             and value.dtype == dtype
             and value.ndim == kind.ndim
-            and (value.flags.behaved or not kind.mutable)
-            and (value.flags.c_contiguous or not contiguous)
+            and value.flags.behaved  # Aligned, and not for reading only.
         ):
             raise _error(name, kind, _kind_in_words(value))
-        for axis, size in zip(shape, value.shape, strict=bool(shape)):
+        for axis, size in zip(shape, value.shape, strict=True):
             known = sizes.setdefault(axis, size) if isinstance(axis, str) else axis
             if known != size:
                 sought = tuple(sizes.get(str(axis), axis) for axis in shape)
@@ -131,7 +131,7 @@ def _check_array(name: str, kind: Any, shape: tuple[str | int, ...]) -> Check:  
 
 def _check_number(name: str, kind: Any) -> Check:  # noqa: ANN401
     def check(value: object, sizes: Sizes) -> None:
-        if not isinstance(value, ACCEPTED.get(kind, ())):
+        if not isinstance(value, ACCEPTED[kind]):
             raise _error(name, kind, _kind_in_words(value))
 
     return check
@@ -145,8 +145,8 @@ def _kind_in_words(value: object) -> str:
     aligned = not isinstance(value, np.ndarray) or value.flags.aligned
     try:
         return f"{typeof(value)}{'' if aligned else ', not aligned'}"
-    except ValueError:  # Numba knows no such thing.
-        return type(value).__name__
+    except (NumbaError, ValueError):  # It knows no such thing.
+        return str(getattr(value, "dtype", type(value).__name__))
 
 
 def _is_record(annotation: Any) -> bool:  # noqa: ANN401

@@ -22,8 +22,8 @@ def turn_heads(
 ) -> None:
     """Turns every head towards where it wants to look, and bodies where necks end.
 
-    One of the first m bodies that looks at nobody looks at its focus while it stands,
-    if it has one. All others look straight ahead.
+    Of the first m bodies, those that look at nobody look at their focus, if they stand
+    and have one. All others look straight ahead.
 
     Args:
         bodies: Their gaze and heading are changed in place.

@@ -18,6 +18,7 @@ from household.people.person import Person
 from household.people.traits import Traits
 from household.perception.hearing import AUDIBLE
 from household.perception.relations import Relations
+from household.robots.bout import Bouts
 from household.scenario.scenario import Scenario
 
 FULL = 70.0
@@ -80,18 +81,6 @@ class Appraisers(NamedTuple):
 
     preferences: Annotated[Floats, "n_people", "n_activities", 2, "n_behaviors"]
     last: Annotated[Indices, "n_people", "n_robots"]
-
-
-class Bouts(NamedTuple):
-    """What the robots are doing.
-
-    Attributes:
-        behavior: Index of each robot's behavior, -1 for none, shape (n_robots,).
-        begun: The decision at which each began it, shape (n_robots,).
-    """
-
-    behavior: Annotated[Indices, "n_robots"]
-    begun: Annotated[Indices, "n_robots"]
 
 
 def no_appraisals(n: int, n_robots: int) -> Appraisals:
@@ -165,9 +154,9 @@ def appraise(
                     i, appearance.activity[i], int(attending), bouts.behavior[r]
                 ]
                 value[i, r] = max(seen, heard) * liked
-            new = value[i, r] != 0.0 and last[i, r] != bouts.begun[r]
+            new = value[i, r] != 0.0 and last[i, r] != bouts.decision[r]
             if new:
-                last[i, r] = bouts.begun[r]
+                last[i, r] = bouts.decision[r]
             appraisals.new[i, r] = new
             appraisals.believed[i, r] = r if relations.sees[i, j] else loudest
             appraisals.attending[i, r] = attending

@@ -12,7 +12,6 @@ from household.motion.crowd import Crowd
 from household.people.appearance import Appearance, appear, appearance_of, regions_of
 from household.people.appraisal import (
     Appraisers,
-    Bouts,
     Preferences,
     appraise,
     no_appraisals,
@@ -33,6 +32,7 @@ from household.people.traits import Traits, traits_of
 from household.people.wishes import Wishes
 from household.perception.relations import Relations
 from household.perception.senses import Senses
+from household.robots.bout import Bouts
 from household.robots.robots import Robots
 from household.scenario.scenario import Scenario
 from household.state import Stateful
@@ -158,7 +158,7 @@ class People(Stateful):
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        self._appraise(Bouts(robots.behaviors, robots.begun), senses.relations)
+        self._appraise(robots.present, senses.relations)
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.

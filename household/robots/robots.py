@@ -1,13 +1,14 @@
 """The robots of a household: what each is doing and what it has felt."""
 
 import math
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import Floats, Indices, Zeros, new_zeros
-from household.compiled.jit import FLOAT, FLOATS, bind, compiled
+from household.compiled.arrays import Floats, Zeros, new_zeros
+from household.compiled.jit import bind, compiled
 from household.feedback import Cause, Feedback, reward
-from household.robots.bout import Bout
+from household.robots.bout import Bout, Bouts
 from household.scenario.scenario import Scenario
 from household.state import Stateful
 
@@ -18,18 +19,29 @@ IDLE = Bout(behavior=-1, decision=-1, began=-math.inf, ends=-math.inf)
 """Before the first choice."""
 
 
+class Prominence(NamedTuple):
+    """How behaviors appear to those who look and listen.
+
+    Attributes:
+        salience: How strongly each behavior draws the eye, shape (n_behaviors,).
+        loudness: Its sound level at 1 m, shape (n_behaviors,) [dB].
+    """
+
+    salience: Annotated[Floats, "n_behaviors"]
+    loudness: Annotated[Floats, "n_behaviors"]
+
+
 class Robots(Stateful):
     """All robots, in the order of their names.
 
     Args:
         scenario: Names them and says what they can do.
-        zeros: Makes the arrays that others see: `behaviors`, `begun` and
-            `rewards`.
+        zeros: Makes the arrays that are recorded: behaviors, when they were begun, and
+            rewards.
 
     Attributes:
         bouts: What each robot is doing.
-        behaviors: Index of each robot's behavior, -1 before the first, shape (n,).
-        begun: The decision at which each began its bout, -1 before the first, (n,).
+        present: The same as arrays.
         left: Share of each robot's bout that was left when they last were shown, shape
             (n,), in [0, 1].
         touched: Whether any robot felt a touch in the last step.
@@ -41,10 +53,7 @@ class Robots(Stateful):
 
     STATE = (
         "bouts",
-        "behaviors",
-        "begun",
-        "_began",
-        "_ends",
+        "present",
         "left",
         "touched",
         "felt",
@@ -57,28 +66,26 @@ class Robots(Stateful):
         self.names = scenario.robot_names
         self._durations = [b.duration for b in scenario.repertoire]
         n = len(self.names)
-        self.behaviors: Indices = zeros("behavior", (n,), np.intp)
-        self.begun: Indices = zeros("begun", (n,), np.intp)
+        self.present = Bouts(
+            behavior=zeros("behavior", (n,), np.intp),
+            decision=zeros("begun", (n,), np.intp),
+            began=np.zeros(n),
+            ends=np.zeros(n),
+        )
         self.rewards: Floats = zeros("reward", (n,))
-        self._began, self._ends = np.zeros(n), np.zeros(n)
         self.left, self.felt = np.zeros(n), np.zeros((n, 2))
-        self._show = bind(
-            _show,
-            self.left,
-            self.behaviors,
-            self._began,
-            self._ends,
+        prominence = Prominence(
             np.array([b.salience for b in scenario.repertoire]),
             np.array([b.loudness for b in scenario.repertoire]),
-            then=(FLOAT, FLOAT, FLOATS, FLOATS),
         )
+        self._show = bind(_show, self.present, self.left, prominence)
         self.begin()
 
     def begin(self) -> None:
         """Begins a new episode."""
         self.bouts: list[Bout] = [IDLE] * len(self.names)
-        self.behaviors[:], self.begun[:] = IDLE.behavior, IDLE.decision
-        self._began[:], self._ends[:] = IDLE.began, IDLE.ends
+        for array, value in zip(self.present, IDLE, strict=True):
+            array[:] = value
         self.left[:] = 0.0
         self._untouched()
 
@@ -93,9 +100,9 @@ class Robots(Stateful):
         """
         if self.bouts[robot].behavior != behavior or self.is_over(robot, now):
             ends = now + self._durations[behavior]
-            self.bouts[robot] = Bout(behavior, decision, now, ends)
-            self.behaviors[robot], self.begun[robot] = behavior, decision
-            self._began[robot], self._ends[robot] = now, ends
+            self.bouts[robot] = bout = Bout(behavior, decision, now, ends)
+            for array, value in zip(self.present, bout, strict=True):
+                array[robot] = value
 
     def is_over(self, robot: int, now: float) -> bool:
         """Whether what a robot was doing is done."""
@@ -149,21 +156,19 @@ class Robots(Stateful):
 
 @compiled
 def _show(
-    left: Floats,
-    behavior: Indices,
-    began: Floats,
-    ends: Floats,
-    saliences: Floats,
-    loudness: Floats,
+    bouts: Bouts,
+    left: Annotated[Floats, "n_robots"],
+    prominence: Prominence,
     since: float,
     now: float,
-    salience: Floats,
-    source: Floats,
+    salience: Annotated[Floats, "n"],
+    source: Annotated[Floats, "n"],
 ) -> None:
-    first = len(salience) - len(behavior)
-    for i in range(len(behavior)):
-        over = ends[i] <= since + MOMENT
-        salience[first + i] = 1.0 if over else saliences[behavior[i]]
-        source[first + i] = 0.0 if over else loudness[behavior[i]]
-        lasts = ends[i] > now + MOMENT
-        left[i] = (ends[i] - now) / (ends[i] - began[i]) if lasts else 0.0
+    """See `Robots.show`."""
+    first = len(salience) - len(left)
+    for i in range(len(left)):
+        began, ends = bouts.began[i], bouts.ends[i]
+        over, behavior = ends <= since + MOMENT, bouts.behavior[i]
+        salience[first + i] = 1.0 if over else prominence.salience[behavior]
+        source[first + i] = 0.0 if over else prominence.loudness[behavior]
+        left[i] = (ends - now) / (ends - began) if ends > now + MOMENT else 0.0

@@ -271,7 +271,7 @@ class Simulation(Stateful):
             walking=self.crowd.walking,
             activity=self.people.appearance.activity,
             mood=self.moods,
-            behavior=robots.behaviors,
+            behavior=robots.present.behavior,
             left=robots.left,
             touches=robots.felt,
             near=self.proximity.close.near,

@@ -8,7 +8,6 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 import pytest
-from numba import float64
 
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import CHECKED, bind, compiled
@@ -39,8 +38,13 @@ def _middle(points: Points, masses: Masses, axis: int, scale: float) -> float:
 
 
 @compiled
-def _total(values):
+def _total(values: Annotated[Floats, "n"]) -> float:
     return values.sum()
+
+
+@compiled
+def _ends(pair: tuple[float, float]) -> float:
+    return pair[0] + pair[1]
 
 
 def some_points(n=3):
@@ -55,8 +59,8 @@ def test_records_are_fixed_or_given_like_single_arrays():
     points, masses = some_points(), some_masses()
     known = bind(_middle, points, masses)
     given = bind(_middle)
-    named = bind(_middle, points, then=(Masses, int, float))
-    assert known(1, 2.0) == given(points, masses, 1, 2.0) == named(masses, 1, 2.0)
+    some_known = bind(_middle, points)
+    assert known(1, 2.0) == given(points, masses, 1, 2.0) == some_known(masses, 1, 2.0)
     # (1 * 1 + 2 * 3 + 3 * 5) / (1 + 2 + 3), twice.
     assert known(1, 2.0) == pytest.approx(2 * 22 / 6)
     points.counts[2] = False
@@ -107,23 +111,25 @@ def test_checked_mode_looks_at_the_first_arguments_when_they_are_fixed():
         bind(_middle, some_points(3), some_masses(4))
 
 
-def test_checked_mode_finds_gaps_where_there_may_be_none():
-    values = np.arange(6.0)
-    total = bind(_total, then=(float64[::1],))
-    assert total(values) == 15.0
-    with pytest.raises(TypeError, match=r"expected array\(float64, 1d, C\), got .* A"):
-        total(values[::2])
-
-
-def test_checked_mode_finds_arrays_that_may_not_be_written_or_do_not_lie_in_steps():
-    total = bind(_total, then=(float64[:],))
-    frozen = np.arange(3.0)
-    frozen.flags.writeable = False
+def test_checked_mode_finds_arrays_that_may_not_be_written_or_lie_otherwise():
+    total, values = bind(_total), np.arange(3.0)
+    assert total(values) == 3.0
+    with pytest.raises(TypeError, match=r"got array\(float64, 1d, A\), not aligned"):
+        total(np.zeros(3, [("first", np.bool_), ("then", np.float64)])["then"])
+    with pytest.raises(TypeError, match=r"argument values: expected .*, got >f8"):
+        total(values.astype(">f8"))
+    values.flags.writeable = False
     with pytest.raises(TypeError, match="got readonly array"):
-        total(frozen)
-    odd = np.zeros(3, [("first", np.bool_), ("then", np.float64)])
-    with pytest.raises(TypeError, match="not aligned"):
-        total(odd["then"])
+        total(values)
+
+
+def test_checked_mode_counts_the_items_of_tuples():
+    ends = bind(_ends)
+    assert ends((1.0, 2.0)) == 3.0
+    with pytest.raises(TypeError, match="argument pair: expected 2 items, got 3"):
+        ends((1.0, 2.0, 3.0))
+    with pytest.raises(TypeError, match=r"argument pair\[1\]: expected float64, got"):
+        ends((1.0, None))
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,12 @@
 import os
 import subprocess
 import sys
+from typing import Annotated
 
 import numpy as np
 
+from household.compiled.arrays import Floats
 from household.compiled.jit import (
-    FLOAT,
-    FLOATS,
     PACKAGES,
     bind,
     compiled,
@@ -72,13 +72,13 @@ def test_a_minute_is_the_same_compiled_or_not():
 
 
 @compiled
-def _weighed(weights, values, most):
+def _weighed(weights, values: Annotated[Floats, "n"], most: float):
     """The weighed sum of values, at most so much."""
     return min((weights * values).sum(), most)
 
 
-def test_a_specialized_function_knows_its_first_arguments_and_takes_the_others():
-    weigh = bind(_weighed, np.array([1.0, 10.0]), then=(FLOATS, FLOAT))
+def test_a_bound_function_knows_its_first_arguments_and_takes_the_others():
+    weigh = bind(_weighed, np.array([1.0, 10.0]))
     values = np.array([2.0, 3.0, 4.0])
     assert weigh(values[:2], 100.0) == 32.0
     # Arrays with gaps, too, and whole numbers for others.

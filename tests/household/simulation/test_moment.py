@@ -42,8 +42,8 @@ def test_the_parts_of_a_simulation_work_on_its_record(busy):
         "attends": simulation.senses.relations.attends,
         "attention": simulation.senses.relations.attention,
         "mood": simulation.people.feelings.mood,
-        "behavior": simulation.robots.behaviors,
-        "begun": simulation.robots.begun,
+        "behavior": simulation.robots.present.behavior,
+        "begun": simulation.robots.present.decision,
         "reward": simulation.robots.rewards,
     }
     assert held.keys() == FIELDS.keys()
