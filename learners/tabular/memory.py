@@ -151,7 +151,7 @@ class Memory:
     def move(
         self, cell: Cell, action: int, target: float, step: float, visits: float
     ) -> None:
-        """Move one value of a cell towards a target; see `QTable.move`."""
+        """Move one value of a cell towards a target; see `Row.move`."""
         if not cell.written:
             cell.row = self.table.add(cell.name)
             cell.written = True
