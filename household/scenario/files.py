@@ -1,6 +1,7 @@
 """Files of every kind: what a TOML file is can be seen from its fields."""
 
 from collections.abc import Callable, Iterator
+from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -133,13 +134,17 @@ def _opened(name: str) -> tuple[Path, dict[str, Any], Kind]:
 
 
 def _kind_of(data: dict[str, Any], origin: str) -> Kind:
-    """The kind with which a file has most fields in common, and misses fewest."""
+    """The kind with which a file has most fields in common, and misses fewest.
+
+    A misspelled field counts for the kinds that have a field of a similar name.
+    """
     common: dict[Kind, tuple[int, int]] = {}
     for kind, (record, _, _) in KINDS.items():
         fields = msgspec.structs.fields(record)
         names = {field.encode_name for field in fields}
         needed = {field.encode_name for field in fields if field.required}
-        common[kind] = len(names & data.keys()), -len(needed - data.keys())
+        meant = [key for key in data if get_close_matches(key, names, n=1)]
+        common[kind] = len(meant), -len(needed - data.keys())
     best = max(common, key=lambda kind: common[kind])
     if not common[best][0]:
         raise HouseholdError(f"{origin}: no file of ours; allowed: {', '.join(KINDS)}")
