@@ -14,12 +14,14 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 
 from experiments.analysis.statistics import Estimate, mean
 from experiments.running.engine import Engine, run_trials
 from experiments.scoring.moments import Floats, Moment, ProbeSet, probe_set
 from experiments.scoring.scores import live, probe_score
+from household.scenario.family import Family
 
 MOST_BY_CONSTANT, LEAST_BY_TABLE = 0.5, 0.9
 """Bounds of the admission rule, as probe scores."""
@@ -77,6 +79,9 @@ class Admission:
     touches: Estimate
     """Touches in a robot's minute under random behavior."""
 
+    like: str | None = None
+    """A family before it that differs from it in words alone."""
+
     @property
     def faults(self) -> tuple[str, ...]:
         """What speaks against the family, one line each; empty if it is admitted."""
@@ -96,6 +101,8 @@ class Admission:
                 f"{self.touches.value:.2f} touches a minute under random behavior; "
                 f"allowed: at least {FEWEST_TOUCHES:g}"
             )
+        if self.like is not None:
+            found.append(f"draws the same households as {self.like}")
         return tuple(found)
 
 
@@ -166,12 +173,15 @@ def _indicators(moments: Sequence[Moment], rows: Mapping[Hashable, int]) -> Floa
     return known
 
 
-def admission(demands: Sequence[Demand], what: str) -> Admission:
+def admission(
+    demands: Sequence[Demand], what: str, like: str | None = None
+) -> Admission:
     """Holds a family against the admission rule.
 
     Args:
         demands: Of its households.
         what: The family demands of a robot.
+        like: A family that draws the same households.
     """
     names = list(demands[0].constants)
     scores = {name: [each.constants[name] for each in demands] for name in names}
@@ -184,6 +194,7 @@ def admission(demands: Sequence[Demand], what: str) -> Admission:
         table=mean([each.table for each in demands]),
         share=mean([each.share for each in demands]),
         touches=mean([each.touches for each in demands]),
+        like=like,
     )
 
 
@@ -220,9 +231,24 @@ def check_suite(
             raise outcome.error or RuntimeError(f"{outcome.trial}: no result")
         demands[outcome.value.family].append(outcome.value)
         advance()
+    copies = duplicates([load_family(name) for name in families])
     return tuple(
         admission(
-            sorted(demands[name], key=lambda one: one.seed), load_family(name).demand
+            sorted(demands[name], key=lambda one: one.seed),
+            load_family(name).demand,
+            copies.get(load_family(name).name),
         )
         for name in families
     )
+
+
+def duplicates(families: Sequence[Family]) -> dict[str, str]:
+    """Returns families that differ from an earlier one in words alone, with it."""
+    seen: dict[bytes, str] = {}
+    found = {}
+    for family in families:
+        plain = msgspec.structs.replace(family, name="", demand="", description="")
+        first = seen.setdefault(msgspec.json.encode(plain), family.name)
+        if first != family.name:
+            found[family.name] = first
+    return found

@@ -77,12 +77,12 @@ def score(trial: Trial, households: Households) -> polars.DataFrame:
 
     seeds = np.random.SeedSequence(trial.seed, spawn_key=(3,)).spawn(4)
     learning, living, probing, choosing = seeds
-    env = _household(households, trial.seed, new=False)
+    env = _household(households, trial.seed, max(households.decisions, 1))
     learner = make_learner_of(
         trial.condition, len(env.behaviors), np.random.default_rng(learning)
     )
     diary = _learned(learner, env, households.decisions, living)
-    other = _household(households, trial.seed, new=True) if households.anew else env
+    other = _household(households, trial.seed, STEPS, households.anew)
     words = probing.generate_state(WALKS)
     probes = probe_set(other, [int(word) for word in words], STEPS)
     policy = of_learner(learner, np.random.default_rng(choosing))
@@ -100,8 +100,10 @@ def score(trial: Trial, households: Households) -> polars.DataFrame:
     )
 
 
-def _household(households: Households, seed: int, *, new: bool) -> Household:
-    """The household that a seed draws, or the one of which something is drawn anew."""
+def _household(
+    households: Households, seed: int, steps: int, anew: tuple[Factor, ...] = ()
+) -> Household:
+    """The household that a seed draws, or one of which something is drawn anew."""
     from household import household_v0
     from household.config.toml import convert
     from household.scenario.family import Draw, Family, draw
@@ -109,11 +111,9 @@ def _household(households: Households, seed: int, *, new: bool) -> Household:
     family = convert(dict(households.family), Family, "family")
     own = _drawn(seed)
     others = _drawn(seed, again=True)
-    drawn = own | {each: others[each] for each in households.anew if new}
+    drawn = own | {each: others[each] for each in anew}
     choice = convert({"seed": seed, **drawn, **households.draw}, Draw, "draw")
-    return household_v0.parallel_env(
-        draw(family, choice), max_cycles=max(households.decisions, 1)
-    )
+    return household_v0.parallel_env(draw(family, choice), max_cycles=steps)
 
 
 def _drawn(seed: int, *, again: bool = False) -> dict[str, int]:
