@@ -1,1 +1,1 @@
-"""Homes: floor plans and the ways through them."""
+"""Homes: floor plans and the paths through them."""

@@ -15,7 +15,8 @@ from household.home.navigation.routes import routes_of
 from household.state import Stateful
 
 EDGE = 0.1
-"""How far inside its region a spot lies [m], as far as a body lets itself be pushed."""
+"""How far inside its region a spot lies at least [m], so that a body that is pushed a
+little stays in the region."""
 
 SPOTS_ON_RING = 6
 
@@ -23,10 +24,10 @@ NOWHERE = -1
 """In place of a region."""
 
 APART = 0.5
-"""Least distance between two who stand in nobody's way [m]: two bodies side by side."""
+"""Least distance between the spots of two people [m]: two bodies side by side."""
 
 KEPT = 1024
-"""So many rings round spots are remembered, as people ask for the same ones."""
+"""How many rings round spots are remembered, as people ask for the same ones."""
 
 
 class Places(Stateful):
@@ -37,9 +38,10 @@ class Places(Stateful):
 
     Attributes:
         circles: The regions, shape (n_regions, 3), rows of x, y, radius [m].
-        roles: Which role is played in each, as `Activity` values, and at the end that
-            of being nowhere, shape (n_regions + 1,).
-        facing: What people look at in each, and NaN at the end, (n_regions + 1, 2) [m].
+        roles: The role that people play in each, as `Activity` values, and at the end
+            the role outside all regions, shape (n_regions + 1,).
+        facing: What people look at in each, and NaN at the end, shape
+            (n_regions + 1, 2) [m].
     """
 
     STATE = ("_claims",)
@@ -72,7 +74,7 @@ class Places(Stateful):
         self._claims.clear()
 
     def has(self, name: str) -> bool:
-        """Whether a region has this name or this activity."""
+        """Whether there is a region with this name or this activity."""
         return any(name in (region.name, region.activity) for region in self.regions)
 
     def index(self, name: str) -> int:
@@ -94,7 +96,7 @@ class Places(Stateful):
     def claim(self, person: int, region: int) -> Point:
         """The spot of a region where a person goes: its own, else the first free.
 
-        When all are taken, the person waits beside them, where it is in nobody's way.
+        When all are taken, the person waits beside them, at a distance from the others.
         """
         place, spot = self._claims.get(person, (NOWHERE, (0.0, 0.0)))
         if place != region:
@@ -106,7 +108,7 @@ class Places(Stateful):
         return spot
 
     def beside(self, spot: Point, taken: Sequence[Point]) -> Point:
-        """The spot itself, or where it is taken, a free one as near as may be.
+        """The spot itself or, if it is taken, a free one as near to it as possible.
 
         Args:
             spot: Where a body fits [m].
@@ -119,7 +121,7 @@ class Places(Stateful):
         return spot
 
     def _find_beside(self, spot: Point, ring: int) -> list[Point]:
-        """Where a body fits on one of the rings round a spot."""
+        """The points on one of the rings round a spot where a body fits."""
         around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
         here = np.array(spot)
         return [
@@ -143,7 +145,7 @@ def place_of(point: Floats, circles: Floats) -> int:
 
 
 def _spots(region: Region) -> list[Point]:
-    """The middle of a region and, if it is wide enough, a ring of spots round it."""
+    """The center of a region and, if it is wide enough, a ring of spots round it."""
     ring = region.radius - EDGE
     if ring < APART:
         return [region.center]

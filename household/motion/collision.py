@@ -61,10 +61,10 @@ def keep_out(
     before: Annotated[Floats, "n", 2],
     after: Annotated[Floats, "n", 2],
 ) -> None:
-    """Puts bodies back that overlap an obstacle.
+    """Moves bodies that overlap an obstacle out of it.
 
-    A body whose middle went through a segment goes back to where it was; one that
-    overlaps a segment is pushed out along the shortest way; one that was pressed into
+    A body whose middle went through a segment goes back to where it was. One that
+    overlaps a segment is pushed out along the shortest line. One that was pressed into
     a gap too narrow for it, or through it, goes back, too.
 
     Args:

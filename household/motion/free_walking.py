@@ -1,8 +1,8 @@
 """Walking where nobody is in the way, without the physics engine.
 
-A body that touches nobody goes on with its velocity, or along a wall; that takes no
-engine. Most steps of most walks are such, and each call of the engine costs more than
-this whole loop.
+A body that touches nobody goes on with its velocity, or along a wall; no engine is
+needed for that. Most steps of most walks are such, and one call of the engine takes
+longer than this whole loop.
 """
 
 from typing import NamedTuple

@@ -32,7 +32,7 @@ must be much farther from the home than it is wide: then the engine's search tre
 pairs, into which they come back one by one, grows without regard to what it was."""
 
 MOTION = BodyFields.POSITION | BodyFields.VELOCITY
-"""What is told to the engine and read from it."""
+"""What is handed to the engine and read from it."""
 
 
 class Physics:
@@ -44,8 +44,7 @@ class Physics:
         mass: Of each body, shape (n,) [kg].
 
     Attributes:
-        velocity: What each body sets out with when it next moves, for the owner to
-            fill in, shape (n, 2) [m/s].
+        velocity: Of each body when it next moves, shape (n, 2) [m/s]; set by others.
         obstacles: The walls and the furniture.
     """
 

@@ -1,7 +1,7 @@
 """Progress of walks: who has arrived, who is stuck, and who needs another path.
 
-Compiled with Numba for the same reason as the perception kernel: it runs several
-times in each decision, over all pairs of bodies.
+Compiled with Numba, as it runs several times in each decision, over all pairs of
+bodies.
 """
 
 from typing import Annotated

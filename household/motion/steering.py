@@ -1,7 +1,7 @@
 """Steering: from the next waypoint to the velocity of this moment, without bumping.
 
-Compiled with Numba for the same reason as the perception kernel: it runs several
-times in each decision, over all pairs of bodies.
+Compiled with Numba, as it runs several times in each decision, over all pairs of
+bodies.
 """
 
 from typing import NamedTuple
@@ -50,9 +50,9 @@ def steer(bodies: Bodies, walks: Walks, period: float, paths: Paths) -> None:
     """Sets velocities that lead walkers to their waypoints, keeping to the right.
 
     A walker slows down only to end on its waypoint. Where a body is in its way, it
-    turns to its right in proportion to how near that body is, so that two who meet
-    pass each other. It does not walk into anybody, unless it got no further for a
-    while.
+    turns to its right in proportion to how near that body is, so that two walkers who
+    meet pass each other. It does not walk into others, unless it has come no nearer to
+    its waypoint for a while.
 
     Args:
         bodies: Their velocities are set, to 0 for those who stand; walkers come to face

@@ -1,7 +1,7 @@
 """Motions: where a robot goes while it does a behavior.
 
-Each motion is a function of the robot, the crowd and chance; it may send the robot
-somewhere or turn it. It is called once in each decision period.
+Each motion is a function of a robot and the crowd, called once in each decision period:
+it may send the robot somewhere or turn it.
 """
 
 import math
@@ -22,7 +22,7 @@ SPIN = math.radians(90.0)
 """How far a dancing robot turns in one second [rad]."""
 
 STROLL = 2.0
-"""How far a wandering robot goes at a stretch, at most [m]."""
+"""How far a wandering robot walks in one direction at most [m]."""
 
 
 @dataclass(slots=True)
@@ -35,7 +35,7 @@ class Mover:
         spots: Middles of the activity regions, shape (n_regions, 2) [m].
         rng: The robot's own random stream.
         period: Between two calls [s].
-        begins: Whether the behavior has just been begun.
+        begins: Whether the behavior begins in this decision period.
         now: [s].
     """
 

@@ -13,7 +13,7 @@ from household.scenario.scenario import Scenario
 from household.state import Stateful
 
 MOMENT = 1e-9
-"""By how much times may miss each other through rounding [s]."""
+"""How far apart two equal times may be through rounding [s]."""
 
 IDLE = Bout(behavior=-1, decision=-1, began=-math.inf, ends=-math.inf)
 """Before the first choice."""
@@ -42,12 +42,13 @@ class Robots(Stateful):
     Attributes:
         bouts: What each robot is doing.
         present: The same as arrays.
-        left: Share of each robot's bout that was left when they last were shown, shape
-            (n,), in [0, 1].
+        left: Share of each robot's bout that was still to come when `show` was last
+            called, shape (n,), in [0, 1].
         touched: Whether any robot felt a touch in the last step.
-        felt: Sum of caresses and of taps felt in it, (n, 2), both in [0, 1].
-        feedback: The touches that each felt in it.
-        rewards: The reward of each for it, shape (n,).
+        felt: How strongly each was caressed and tapped in that step, shape (n, 2), both
+            in [0, 1].
+        feedback: The touches that each felt in that step.
+        rewards: The reward of each for them, shape (n,).
         causes: What each of those touches was really about; for evaluation only.
     """
 
@@ -90,7 +91,7 @@ class Robots(Stateful):
         self._untouched()
 
     def choose(self, robot: int, behavior: int, decision: int, now: float) -> None:
-        """Goes on with a behavior, or begins it anew when it is over or another.
+        """Goes on with the present bout if it is of that behavior, or begins one.
 
         Args:
             robot: Index of the robot.
@@ -105,21 +106,21 @@ class Robots(Stateful):
                 array[robot] = value
 
     def is_over(self, robot: int, now: float) -> bool:
-        """Whether what a robot was doing is done."""
+        """Whether the latest bout of a robot is over."""
         return self.bouts[robot].ends <= now + MOMENT
 
     def cause(self, robot: int, now: float) -> Cause:
-        """The bout of a robot as the cause of what people may do about it.
+        """The present bout of a robot, as the cause of touches that follow from it.
 
         Args:
             robot: Index of the robot.
-            now: When somebody judges the bout [s].
+            now: When somebody appraises the bout [s].
         """
         bout = self.bouts[robot]
         return Cause(self.names[robot], bout.decision, bout.behavior, now)
 
     def forget_touches(self) -> None:
-        """Makes room for the touches of the next step."""
+        """Begins a step in which no robot has felt a touch yet."""
         if self.touched:
             self._untouched()
 
@@ -130,7 +131,13 @@ class Robots(Stateful):
         self.felt[:], self.rewards[:] = 0.0, 0.0
 
     def feel(self, robot: int, feedback: Feedback, cause: Cause) -> None:
-        """A touch is felt."""
+        """A robot feels a touch.
+
+        Args:
+            robot: Index of the robot.
+            feedback: The touch.
+            cause: What it is really about.
+        """
         self.touched = True
         self.feedback[robot] += (feedback,)
         self.causes[robot] += (cause,)
@@ -140,16 +147,17 @@ class Robots(Stateful):
         self.felt[robot, kind] = min(total, 1.0)
 
     def show(self, since: float, now: float, salience: Floats, source: Floats) -> None:
-        """Tells how robots appear to those who look and listen, and what is `left`.
+        """Finds out how robots appear to those who look and listen, and what is `left`.
 
-        What was over before is silent, and draws the eye no more than a person does.
+        A robot whose bout was over before the period is silent, and draws the eye no
+        more than a person does.
 
         Args:
-            since: Beginning of the period that is looked and listened to [s].
+            since: Beginning of the period in which they look and listen [s].
             now: Its end [s].
-            salience: How strongly each draws the eye; filled in at its end, as people
-                come before robots.
-            source: How loud each is at 1 m [dB]; likewise.
+            salience: How strongly each of the people and robots draws the eye, shape
+                (n,); set for the robots, which come last.
+            source: Sound level of each at 1 m, shape (n,) [dB]; set likewise.
         """
         self._show(since, now, salience, source)
 

@@ -1,1 +1,1 @@
-"""Finding a way through a home."""
+"""Navigation: finding paths through a home."""

@@ -16,13 +16,14 @@ Cells = NDArray[np.int32]
 """A whole number for each cell."""
 
 CELL = 0.1
-"""Edge of a grid cell [m]; a third of a body's width keeps doorways open."""
+"""Edge of a grid cell [m]: a fifth of a body's width, so that doorways stay open."""
 
 SAMPLES = 2.0
-"""Samples for each cell's length along a line."""
+"""How many samples of a line are taken for each cell's length."""
 
 STRIDE = 8
-"""Every so many of them are looked at first, then those after them, and so on."""
+"""Along a line, every sample at this distance from the first is looked at first, then
+each sample after those, and so on: most lines that are blocked are so soon."""
 
 NOWHERE = -1
 """In place of a cell."""
@@ -45,7 +46,7 @@ class Grid(NamedTuple):
 
 @compiled
 def ends_of(grid: Grid, start: Point, goal: Point) -> tuple[int, int, Point]:
-    """Where a walk begins and ends.
+    """The cells where a walk begins and ends, and the point where it ends.
 
     Args:
         grid: The free space.
@@ -128,7 +129,7 @@ def line_is_free(free: Mask, start: Point, end: Point) -> bool:
     """
     dx, dy = end[0] - start[0], end[1] - start[1]
     steps = int(np.sqrt(dx * dx + dy * dy) * SAMPLES) + 1
-    # First in strides: a wall with a body's radius on either side hardly hides between.
+    # In strides: the strip that a wall blocks is rarely missed by the first samples.
     for first in range(STRIDE):
         for step in range(first, steps + 1, STRIDE):
             x = int(np.floor(start[0] + dx * step / steps))
