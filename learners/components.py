@@ -20,6 +20,7 @@ from learners.baselines.delay_density import DelayDensity
 from learners.baselines.fixed_shift import FixedShift
 from learners.baselines.travel_posterior import TravelPosterior
 from learners.baselines.uniform_window import UniformWindow
+from learners.catalog.situations import rates_of_people
 from learners.credit.rules import Designated, Immediate, Trace
 from learners.errors import ParameterError, UnknownNameError
 from learners.exploration import (
@@ -82,6 +83,7 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "none": NoPooling,
         "full": FullPooling,
         "hierarchical": HierarchicalPooling,
+        "hierarchical_rates": rates_of_people,
         "adaptive": AdaptivePooling,
     },
     "analogy": {

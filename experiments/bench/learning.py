@@ -13,6 +13,12 @@ from experiments.bench.measurement import Growth, Measurement, Settings, exponen
 BUDGET_ACTORS = 8
 """Actors that the budget of an update is for."""
 
+BUDGET_PEOPLE = 12
+"""People that the budgets of learning by views are for."""
+
+LINEAR = 1.2
+"""Power up to which something counts as growing like n."""
+
 FLAT = 0.2
 """Power up to which a time counts as not growing: as much is the machine's noise."""
 
@@ -21,10 +27,10 @@ ACTORS = 4
 
 
 def updates(settings: Settings) -> Iterator[Measurement]:
-    """Yields the time of an update with canonical analogy, against the actors."""
-    from experiments.bench.updates import microseconds
-    from learners.representation import Canonical
+    """Yields the time of an update with the canonical form, against the actors."""
+    from experiments.bench.updates import Composition, cost
 
+    canonical = Composition(settings=lambda _: {"representation": "canonical"})
     growths = [
         Growth(what="learner's update", against="actors", x=actors)
         for actors in settings.actors
@@ -35,7 +41,7 @@ def updates(settings: Settings) -> Iterator[Measurement]:
             name=str(actors),
             unit="us",
             values=tuple(
-                float(microseconds({"representation": Canonical()}, actors, known=True))
+                cost(canonical, actors, known=True).update
                 for _ in range(min(settings.repetitions, 3))
             ),
             growth=growth,
@@ -44,6 +50,37 @@ def updates(settings: Settings) -> Iterator[Measurement]:
         for actors, growth in zip(settings.actors, growths, strict=True)
     ]
     yield from (*found, exponent(found, at_most=2.0))
+
+
+def people(settings: Settings) -> Iterator[Measurement]:
+    """Yields what the learner by views takes, against the people in a situation."""
+    from experiments.bench.updates import Composition, cost
+
+    views = Composition(learner="views")
+    costs = {
+        n: [cost(views, n, known=True) for _ in range(min(settings.repetitions, 3))]
+        for n in settings.company
+    }
+    for what, unit, budget in (
+        ("update", "us", 20.0),
+        ("choice", "us", 15.0),
+        ("memory", "kB", None),
+    ):
+        growths = [
+            Growth(what=f"{what} by views", against="people", x=n) for n in costs
+        ]
+        found = [
+            Measurement(
+                part=growth.part,
+                name=str(n),
+                unit=unit,
+                values=tuple(getattr(each, what) for each in costs[n]),
+                growth=growth,
+                at_most=budget if n == BUDGET_PEOPLE else None,
+            )
+            for n, growth in zip(costs, growths, strict=True)
+        ]
+        yield from (*found, exponent(found, at_most=LINEAR))
 
 
 def visited(settings: Settings) -> Iterator[Measurement]:
@@ -98,13 +135,13 @@ def _lived(
     marks: tuple[int, ...], gauge: Callable[[], float]
 ) -> Iterator[tuple[float, float]]:
     """Reads a gauge before and after what is learned up to each mark."""
-    from experiments.bench.updates import N_BEHAVIORS, crowds, experiences
+    from experiments.bench.crowds import N_BEHAVIORS, experiences, walk
     from learners.credit.rules import Designated
     from learners.qlearner import QLearner
     from learners.representation import Canonical
 
     rng = np.random.default_rng(0)
-    states = crowds(ACTORS, max(marks) + 1, rng)
+    states = walk(ACTORS, max(marks) + 1, rng)
     lived = list(experiences(states, rng))
     learner = QLearner(
         N_BEHAVIORS, rng, credit=Designated(), representation=Canonical()

@@ -100,6 +100,9 @@ class Settings:
     actors: tuple[int, ...] = (1, 2, 4, 8, 16)
     """In the states that a learner learns from."""
 
+    company: tuple[int, ...] = (1, 2, 4, 8, 12, 16, 32, 64)
+    """People in the situations that a learner takes apart."""
+
     situations: tuple[int, ...] = (500, 1_000, 2_000, 4_000, 8_000)
     """That a learner has visited."""
 

@@ -1,176 +1,199 @@
-"""How long an update takes, against the number of actors and the analogy.
+"""How long learning and choosing take, against the number of actors.
 
-Run with `python -m experiments.bench.updates`; the table goes into docs/learners.md.
+Run with `python -m experiments.bench.updates`; the tables go into docs/learners.md.
 """
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+import tracemalloc
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any, Self
+from itertools import cycle, islice
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from learners.analogy import Propagation
-from learners.analogy.adaptive import AdaptiveAnalogy
-from learners.credit.rules import Designated
-from learners.experience import Experience, Reward
-from learners.qlearner import QLearner
-from learners.representation import Canonical
+from experiments.bench.crowds import N_BEHAVIORS, Crowd, experiences, walk
+from learners.catalog import make_learner
+from learners.components import made
+from learners.experience import Experience
+from learners.learner import Learner
 
-ROLES = ("entering", "working", "reading", "sleeping", "playing", "calling", "unknown")
-N_BEHAVIORS = 4
-ENTRY = 4.0  # [s], about half a behavior: situations change in between
-TOUCH_EVERY = 4  # entries
 KNOWN_STATES = 100
 UPDATES = 2000  # once to warm up, once measured
-RUNS = 10  # parts that the measured updates are timed in
+RUNS = 10  # stretches that the measured updates are timed in
 SWEEPS = 3  # over the whole table
 
 
-@dataclass(frozen=True)
-class Crowd:
-    """A state of many actors: what each plays and whether it attends to the robot.
+@dataclass(frozen=True, kw_only=True)
+class Composition:
+    """A learner whose time is taken.
 
-    Nobody attends to anybody else, so that sorting gives the canonical form.
+    Attributes:
+        learner: its name in the catalog.
+        settings: see `learners.components`.
+        most_actors: beyond, it is left out.
     """
 
-    plays: tuple[tuple[str, str, bool], ...]
+    learner: str = "designated"
+    settings: Callable[[int], Mapping[str, Any]] = lambda _: {}
+    most_actors: int = 64
 
-    @property
-    def entities(self) -> tuple[str, ...]:
-        """The actors, sorted by name."""
-        return tuple(name for name, _, _ in self.plays)
-
-    def swapped(self, e1: str, e2: str) -> Self:
-        """Two actors in each other's place."""
-        names = {e1: e2, e2: e1}
-        renamed = ((names.get(name, name), r, a) for name, r, a in self.plays)
-        return type(self)(tuple(sorted(renamed)))
-
-    def without(self, e: str) -> Self:
-        """The same without one actor."""
-        return type(self)(tuple(each for each in self.plays if each[0] != e))
-
-    def canonical(self) -> Self:
-        """The actors' names dealt out anew in the order of their places."""
-        places = sorted((role, attends) for _, role, attends in self.plays)
-        names = self.entities
-        dealt = ((n, r, a) for n, (r, a) in zip(names, places, strict=True))
-        return type(self)(tuple(dealt))
-
-
-def crowds(n_actors: int, n_states: int, rng: np.random.Generator) -> list[Crowd]:
-    """Random states of so many actors, equal ones as likely as chance has it."""
-    roles = rng.integers(len(ROLES), size=(n_states, n_actors))
-    attends = rng.random((n_states, n_actors)) < 0.3
-    return [
-        Crowd(
-            tuple(
-                (f"e{i:02}", ROLES[role], bool(looks))
-                for i, (role, looks) in enumerate(zip(*state, strict=True))
-            )
-        )
-        for state in zip(roles, attends, strict=True)
-    ]
-
-
-def experiences(
-    states: Iterable[Crowd], rng: np.random.Generator
-) -> Iterator[Experience]:
-    """One entry after the other through the states, a touch every few of them."""
-    for index, (state, next_state) in enumerate(pairwise(states)):
-        begin, end = index * ENTRY, (index + 1) * ENTRY
-        touch = Reward(
-            value=float(rng.choice((-1.0, 1.0))),
-            time=end,
-            giver=state.entities[0],
-            attending=True,
-            approach_began=begin + 1.0,
-        )
-        yield Experience(
-            state=state,
-            action=int(rng.integers(N_BEHAVIORS)),
-            next_state=next_state,
-            time=begin,
-            next_time=end,
-            rewards=(touch,) if index % TOUCH_EVERY == 0 else (),
+    def make(self, n_actors: int) -> Learner:
+        """A new one for states of so many actors."""
+        settings = made(self.settings(n_actors))
+        return make_learner(
+            self.learner, N_BEHAVIORS, np.random.default_rng(0), **settings
         )
 
 
-def microseconds(components: Mapping[str, Any], n_actors: int, *, known: bool) -> float:
-    """Time of one `learn`, designated credit and social rate [us].
+@dataclass(frozen=True, kw_only=True)
+class Cost:
+    """What a learner takes.
 
-    The mean of the fastest of ten runs: other work on the machine only adds to it.
+    Attributes:
+        update: time of one `learn` [us].
+        choice: time of one `act` [us].
+        memory: of the learner after so many updates [kB].
+    """
+
+    update: float
+    choice: float
+    memory: float
+
+
+def cost(composition: Composition, n_actors: int, *, known: bool) -> Cost:
+    """Measures a learner that lives through the states of a crowd.
+
+    Times are the means of the fastest of ten runs: other work on the machine only adds
+    to them.
 
     Args:
-        components: of the learner beside its credit.
+        composition: the learner.
         n_actors: actors in every state.
         known: whether the states come from a small set and were all met before, or
             are as good as never met before.
     """
     rng = np.random.default_rng(0)
-    pool = crowds(n_actors, KNOWN_STATES if known else 2 * UPDATES, rng)
-    order = rng.integers(len(pool), size=2 * UPDATES) if known else range(2 * UPDATES)
-    lived = list(experiences((pool[i] for i in order), rng))
-    learner = QLearner(N_BEHAVIORS, rng, credit=Designated(), **components)
+    states = _states(n_actors, rng, known=known)
+    lived = list(experiences(states, rng))
+    learner = composition.make(n_actors)
     for experience in lived[:UPDATES]:
         learner.learn(experience)
-    measured = np.array_split(np.arange(UPDATES, len(lived)), RUNS)
-    return min(_seconds(learner, [lived[i] for i in run]) for run in measured) * 1e6
+    runs = [
+        _times(learner, [lived[i] for i in run])
+        for run in np.array_split(np.arange(UPDATES, 2 * UPDATES), RUNS)
+    ]
+    choice, update = (1e6 * each for each in np.min(runs, axis=0).tolist())
+    return Cost(update=update, choice=choice, memory=_kilobytes(composition, lived))
 
 
-def _seconds(learner: QLearner, lived: list[Experience]) -> float:
-    begin = time.process_time()
+def _states(n_actors: int, rng: np.random.Generator, *, known: bool) -> list[Crowd]:
+    if known:
+        return list(islice(cycle(walk(n_actors, KNOWN_STATES, rng)), 2 * UPDATES + 1))
+    return walk(n_actors, 2 * UPDATES + 1, rng)
+
+
+def _times(learner: Learner, lived: Sequence[Experience]) -> tuple[float, float]:
+    """Seconds of one choice and of one update."""
+    clock, n = time.process_time, len(lived)
+    begin = clock()
+    for experience in lived:
+        learner.act(experience.state)
+    chosen = clock()
     for experience in lived:
         learner.learn(experience)
-    return (time.process_time() - begin) / len(lived)
+    return (chosen - begin) / n, (clock() - chosen) / n
 
 
-ANALOGIES: dict[str, Callable[[int], dict[str, Any]]] = {
-    "none": lambda _: {},
-    "one swap": lambda _: {"analogy": Propagation()},
-    "closed swaps": lambda n: {"analogy": Propagation(depth=max(n - 1, 1))},
-    "canonical": lambda _: {"representation": Canonical()},
-    "adaptive": lambda _: {"analogy": AdaptiveAnalogy()},
+def _kilobytes(composition: Composition, lived: Sequence[Experience]) -> float:
+    """Of another learner that lives through the same: looking on slows it down."""
+    tracemalloc.start()
+    try:
+        learner = composition.make(len(lived[0].state.entities))  # type: ignore[attr-defined]
+        for experience in lived[:UPDATES]:
+            learner.learn(experience)
+        return tracemalloc.get_traced_memory()[0] / 1e3
+    finally:
+        tracemalloc.stop()
+
+
+BY_VIEWS = {"representation": "views", "pooling": "hierarchical_rates"}
+
+ANALOGIES: Mapping[str, Composition] = {
+    "none": Composition(),
+    "one swap": Composition(settings=lambda _: {"analogy": "swap"}, most_actors=16),
+    "closed swaps": Composition(
+        settings=lambda n: {"analogy": {"name": "swap", "depth": max(n - 1, 1)}},
+        most_actors=4,  # up to n! analogs
+    ),
+    "canonical": Composition(settings=lambda _: {"representation": "canonical"}),
+    "adaptive": Composition(settings=lambda _: {"analogy": "adaptive"}),
 }
-LARGEST_CLOSURE = 4  # actors; the closure has up to n! states
+
+PEOPLE: Mapping[str, Composition] = {
+    "`views`": Composition(learner="views"),
+    "`audible_views`": Composition(learner="audible_views"),
+    "`views`, adaptive pooling": Composition(
+        learner="views", settings=lambda _: {"pooling": "adaptive"}
+    ),
+    "`views`, Thompson": Composition(
+        learner="views", settings=lambda _: {"exploration": "thompson"}
+    ),
+    "`tamer` by views": Composition(learner="tamer", settings=lambda _: BY_VIEWS),
+    "`designated_views`": Composition(learner="designated_views"),
+    "`travel_posterior` by views": Composition(
+        learner="travel_posterior", settings=lambda _: BY_VIEWS
+    ),
+}
 
 
-def table(actors: Sequence[int] = (1, 2, 4, 8, 16)) -> str:
-    """The speed table in Markdown: microseconds per update, known / new states."""
-    cells = [(name, n) for n in actors for name in ANALOGIES if _feasible(name, n)]
+def table(
+    compositions: Mapping[str, Composition],
+    actors: Sequence[int],
+    cell: Callable[[Composition, int], list[float]],
+) -> str:
+    """A table in Markdown: a row for each number of actors, a column for each learner.
+
+    Args:
+        compositions: the learners, by the heading of their column.
+        actors: how many there are in a state.
+        cell: measures the numbers of a cell.
+    """
+    cells = [
+        (name, n)
+        for n in actors
+        for name, each in compositions.items()
+        if n <= each.most_actors
+    ]
     # Several sweeps over the whole table, so that a busy minute of the machine does not
     # settle on one cell.
-    sweeps = [[_known_and_new(*cell) for cell in cells] for _ in range(SWEEPS)]
-    best = dict(zip(cells, np.min(sweeps, axis=0), strict=True))
+    sweeps = [[cell(compositions[name], n) for name, n in cells] for _ in range(SWEEPS)]
+    best = dict(zip(cells, np.min(sweeps, axis=0).tolist(), strict=True))
     lines = [
-        f"| actors | {' | '.join(ANALOGIES)} |",
-        f"| --- {'| --- ' * len(ANALOGIES)}|",
+        f"| actors | {' | '.join(compositions)} |",
+        f"| --- {'| --- ' * len(compositions)}|",
     ]
     for n in actors:
-        row = [_cell(best.get((name, n))) for name in ANALOGIES]
+        row = [_text(best.get((name, n))) for name in compositions]
         lines.append(f"| {n} | {' | '.join(row)} |")
     return "\n".join(lines)
 
 
-def _feasible(name: str, n_actors: int) -> bool:
-    return name != "closed swaps" or n_actors <= LARGEST_CLOSURE
+def known_and_new(composition: Composition, n_actors: int) -> list[float]:
+    """Time of an update in states met before, and in new ones [us]."""
+    return [cost(composition, n_actors, known=known).update for known in (True, False)]
 
 
-def _known_and_new(name: str, n_actors: int) -> list[float]:
-    make = ANALOGIES[name]
-    return [
-        microseconds(make(n_actors), n_actors, known=known) for known in (True, False)
-    ]
+def update_and_choice(composition: Composition, n_actors: int) -> list[float]:
+    """Time of an update and of a choice in states met before [us]."""
+    found = cost(composition, n_actors, known=True)
+    return [found.update, found.choice]
 
 
-def _cell(known_and_new: NDArray[np.float64] | None) -> str:
-    if known_and_new is None:
-        return "-"
-    return " / ".join(f"{each:.1f}" for each in known_and_new)
+def _text(numbers: list[float] | None) -> str:
+    return "-" if numbers is None else " / ".join(f"{each:.1f}" for each in numbers)
 
 
 if __name__ == "__main__":
-    print(table())
+    print(table(ANALOGIES, (1, 2, 4, 8, 16), known_and_new), end="\n\n")
+    print(table(PEOPLE, (1, 2, 4, 8, 12, 16, 32, 64), update_and_choice))

@@ -71,6 +71,7 @@ def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measurement]]]:
         "recording": stepping.recording,
         "whole trials": whole_trials.beside_steps,
         "learners": learning.updates,
+        "learners by views": learning.people,
         "learners' memory": learning.visited,
         "start": processes.starting,
         "trials": processes.trials,

@@ -10,7 +10,7 @@ from learners import CATALOG, Experience, Reward, saved
 @saved
 @dataclass(frozen=True)
 class ToyState:
-    """Who plays what and who looks at whom; the canonical form by brute force."""
+    """Who plays what, looks at whom and hears; the canonical form by brute force."""
 
     plays: tuple
     looks: frozenset = frozenset()
@@ -27,6 +27,7 @@ class ToyState:
         return ToyState(
             tuple(pair for pair in self.plays if pair[0] != e),
             frozenset(pair for pair in self.looks if e not in pair),
+            frozenset(pair for pair in self.hears if e not in pair),
         )
 
     def canonical(self):
@@ -35,7 +36,10 @@ class ToyState:
             self.renamed(dict(zip(self.entities, order, strict=True)))
             for order in orders
         )
-        return min(forms, key=lambda form: (form.plays, sorted(form.looks)))
+        return min(
+            forms,
+            key=lambda form: (form.plays, sorted(form.looks), sorted(form.hears)),
+        )
 
     def without_names(self):
         form = self.canonical()
@@ -65,6 +69,7 @@ class ToyState:
         return ToyState(
             tuple(sorted((names.get(e, e), role) for e, role in self.plays)),
             frozenset((names.get(a, a), names.get(b, b)) for a, b in self.looks),
+            frozenset((names.get(a, a), b) for a, b in self.hears),
         )
 
 
@@ -72,10 +77,12 @@ class ToyState:
 def toy():
     """toy("ann reads, bob calls", "bob robot"): a ToyState written as a sentence."""
 
-    def make(plays, *looks):
-        pairs = (tuple(part.split()) for part in plays.split(", "))
+    def make(plays, *looks, hears=()):
+        pairs = (tuple(part.split()) for part in plays.split(", ") if part)
         return ToyState(
-            tuple(sorted(pairs)), frozenset(tuple(look.split()) for look in looks)
+            tuple(sorted(pairs)),
+            frozenset(tuple(look.split()) for look in looks),
+            frozenset((name, "robot") for name in hears),
         )
 
     return make

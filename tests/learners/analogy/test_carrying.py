@@ -13,7 +13,8 @@ from learners.credit.rules import Designated, Trace
 from learners.errors import ParameterError, StateError
 from learners.exploration import Softmax
 from learners.representation.situations import Canonical
-from learners.tabular.rates import AsynchronousRate, SocialRate
+from learners.representation.views import Views
+from learners.tabular.rates import AsynchronousRate, ConstantRate, SocialRate
 
 
 @pytest.fixture
@@ -158,3 +159,72 @@ def test_a_state_that_cannot_be_swapped_leaves_the_table_unchanged(
 def test_a_propagation_out_of_range_is_refused(make):
     with pytest.raises(ParameterError):
         make()
+
+
+@pytest.fixture
+def borrower(rng):
+    """A learner that carries to simpler situations, up to two people less."""
+    remove = Propagation(operators=(RemoveEntity(),), depth=2)
+    return QLearner(2, rng, gamma=0.0, rate=ConstantRate(alpha=1.0), analogy=remove)
+
+
+def test_a_situation_never_met_borrows_from_the_simpler_ones_it_contains(
+    borrower, toy, entry, touch
+):
+    borrower.learn(entry(toy("ann reads, bob calls"), 1, 0.0, touch(-1.0, 1.0)))
+    met_with_eve = toy("ann reads, bob calls, eve plays")
+    assert borrower.q_values(met_with_eve).tolist() == [0.0, -1.0]
+
+
+def test_the_nearest_simpler_situation_comes_first(borrower, toy, entry, touch):
+    borrower.learn(entry(toy("ann reads"), 0, 0.0, touch(-1.0, 1.0)))
+    borrower.learn(entry(toy("ann reads, bob calls"), 0, 1.0, touch(1.0, 2.0)))
+    new = toy("ann reads, bob calls, eve plays")
+    assert borrower.q_values(new).tolist() == [1.0, 0.0]
+
+
+def test_equally_near_ones_count_by_their_visits(borrower, toy, entry, touch):
+    for time, (plays, value) in enumerate(
+        [("ann reads", 1.0), ("ann reads", 1.0), ("bob calls", -0.5)]
+    ):
+        felt = touch(value, time + 1.0)
+        borrower.learn(entry(toy(plays), 0, float(time), felt))
+    assert borrower.q_values(toy("ann reads, bob calls"))[0] == pytest.approx(0.5)
+
+
+def test_what_was_tried_is_not_borrowed(borrower, toy, entry, touch):
+    borrower.learn(entry(toy("ann reads"), 0, 0.0, touch(-1.0, 1.0)))
+    both = toy("ann reads, bob calls")
+    assert borrower.q_values(both).tolist() == [-1.0, 0.0]
+    borrower.learn(entry(both, 0, 1.0))  # in silence
+    assert borrower.q_values(both).tolist() == [0.0, 0.0]
+
+
+def test_swaps_alone_have_nothing_to_borrow(toy, entry, touch, rng):
+    learner = QLearner(2, rng, gamma=0.0, analogy=Propagation())
+    learner.learn(entry(toy("ann reads"), 0, 0.0, touch(-1.0, 1.0)))
+    assert learner.q_values(toy("ann reads, bob calls")).tolist() == [0.0, 0.0]
+
+
+@settings(deadline=None, max_examples=25)
+@given(data=st.data())
+def test_views_with_names_are_closed_removal_where_all_agree(toy, entry, touch, data):
+    n = data.draw(st.integers(1, 3))
+    closed = Propagation(operators=(RemoveEntity(),), depth=3)
+    plain = {"gamma": 0.0, "rate": AsynchronousRate()}
+    removal = QLearner(2, np.random.default_rng(0), analogy=closed, **plain)
+    views = QLearner(2, np.random.default_rng(0), representation=Views(), **plain)
+    for time in range(6):
+        state = toy(*data.draw(sentences(n)))
+        value = data.draw(st.sampled_from((None, -1.0, 0.5)))
+        givers = () if value is None else state.entities
+        felt = [touch(value, time + 0.5, giver) for giver in givers]
+        views.learn(entry(state, 0, float(time), *felt))
+        removal.learn(entry(state, 0, float(time), *felt[:1]))
+    for name in NAMES[:n]:
+        for role in ("reads", "calls", "plays"):
+            for looks in ([], [f"{name} robot"]):
+                alone = toy(f"{name} {role}", *looks)
+                np.testing.assert_allclose(
+                    views.q_values(alone), removal.q_values(alone), atol=1e-12
+                )
