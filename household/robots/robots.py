@@ -101,9 +101,10 @@ class Robots(Stateful):
         """
         if self.bouts[robot].behavior != behavior or self.is_over(robot, now):
             ends = now + self._durations[behavior]
-            self.bouts[robot] = bout = Bout(behavior, decision, now, ends)
-            for array, value in zip(self.present, bout, strict=True):
-                array[robot] = value
+            self.bouts[robot] = Bout(behavior, decision, now, ends)
+            present = self.present
+            present.behavior[robot], present.decision[robot] = behavior, decision
+            present.began[robot], present.ends[robot] = now, ends
 
     def is_over(self, robot: int, now: float) -> bool:
         """Whether the latest bout of a robot is over."""
