@@ -9,8 +9,9 @@ BIN := .venv/bin
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
 
+# On all cores, up to eight; a file's tests share what they set up, so they stay together.
 test: .venv/developing
-	$(BIN)/pytest
+	$(BIN)/pytest --numprocesses logical --maxprocesses 8 --dist loadfile
 
 # Trials on Dask and on Ray; `make test` leaves Ray out, which is 250 MB.
 clusters: .venv/developing
