@@ -79,6 +79,8 @@ class Draws(Stateful):
     ) -> None:
         self._rngs, self._distribution = list(rngs), distribution
         self._numbers = np.zeros((len(rngs), AHEAD, size))
+        # Views, made once: they stay right as the numbers are always in one array.
+        self._moments = [self._numbers[:, moment] for moment in range(AHEAD)]
         self._used = AHEAD
 
     def next(self) -> Floats:
@@ -88,8 +90,9 @@ class Draws(Stateful):
         """
         if self._used == AHEAD:
             self._draw_ahead()
+        moment = self._moments[self._used]
         self._used += 1
-        return self._numbers[:, self._used - 1]
+        return moment
 
     def _draw_ahead(self) -> None:
         """Draws for many moments at once."""
