@@ -216,7 +216,7 @@ def _fault_at(plan: FloorPlan, place: int) -> str:
     for box in plan.furniture:
         if distance_to_box(spot, box.center, box.size, box.angle)[0] == 0:
             return f"covered by furniture {box.name!r}; allowed: a free place beside it"
-    if not routes_of(plan).free[routes_of(plan).cell(spot[0])]:
+    if not routes_of(plan).has_room(plan.regions[place].center):
         return (
             "where no body fits; allowed: a place that clears walls and furniture by "
             f"{CLEARANCE + 0.05:.2f} m"

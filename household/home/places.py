@@ -52,16 +52,9 @@ class Places(Stateful):
         self.roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
         nothing = (math.nan, math.nan)
         self.facing = np.array([*(r.facing for r in plan.regions), nothing])
-        self._routes = routes = routes_of(plan)
+        self._routes = routes_of(plan)
         self._beside = lru_cache(maxsize=KEPT)(self._find_beside)
-        self._spots = [
-            [
-                spot
-                for spot in _spots(r)
-                if routes.connects(np.array(spot), np.array(r.center))
-            ]
-            for r in plan.regions
-        ]
+        self._spots = _spots_in(plan)
         self._claims: dict[int, tuple[int, Point]] = {}
 
     @property
@@ -125,7 +118,10 @@ class Places(Stateful):
         around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
         here = np.array(spot)
         return [
-            point for point in around if self._routes.connects(np.array(point), here)
+            point
+            for point in around
+            if self._routes.connects(np.array(point), here)
+            and self._routes.has_room(point)
         ]
 
 
@@ -142,6 +138,21 @@ def place_of(point: Floats, circles: Floats) -> int:
         if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
             return k
     return NOWHERE
+
+
+@lru_cache(maxsize=64)
+def _spots_in(plan: FloorPlan) -> tuple[tuple[Point, ...], ...]:
+    """The spots of each region where a body fits that came from its middle."""
+    routes = routes_of(plan)
+    return tuple(
+        tuple(
+            spot
+            for spot in _spots(region)
+            if routes.connects(np.array(spot), np.array(region.center))
+            and routes.has_room(spot)
+        )
+        for region in plan.regions
+    )
 
 
 def _spots(region: Region) -> list[Point]:

@@ -27,6 +27,12 @@ WEDGED = 0.005
 """A body that still overlaps by more after that [m] was pressed to where it does not
 fit."""
 
+LONG = 2.0
+"""A step of more radii than this is taken in pieces of one radius each."""
+
+ON_A_LINE = 1e-9
+"""Nearer to a segment than this [m], nobody can say on which side of it a body is."""
+
 
 class Obstacles(NamedTuple):
     """The walls and the sides of the furniture of a home.
@@ -65,7 +71,9 @@ def keep_out(
 
     A body whose middle went through a segment goes back to where it was. One that
     overlaps a segment is pushed out along the shortest line. One that was pressed into
-    a gap too narrow for it, or through it, goes back, too.
+    a gap too narrow for it, or to where no way leads out, goes back, too. A step longer
+    than a body is wide is taken in pieces: else it could lead through a gap that the
+    body does not fit into, and a step straight at a wall would end where it began.
 
     Args:
         radius: Of each body, shape (n,) [m].
@@ -77,25 +85,40 @@ def keep_out(
         a, b = (before[i, 0], before[i, 1]), (after[i, 0], after[i, 1])
         if a == b or _is_clear(a, b, radius[i], obstacles):
             continue
-        close = _close_to(a, b, radius[i] + PUSHED, obstacles)
-        moved = _goes_through(a, b, obstacles, close)
-        if moved:
-            b = a
-        for _ in range(ROUNDS):
-            pushed = _pushed_out(b, radius[i], obstacles, close)
-            if pushed == b:
-                break
-            b, moved = pushed, True
-        # A push may lead into a gap too narrow, through the other side of it, or to
-        # segments that were not looked at.
-        aside = max(abs(b[0] - after[i, 0]), abs(b[1] - after[i, 1]))
-        if moved and (
-            (b != a and aside > PUSHED)
-            or _goes_through(a, b, obstacles, close)
-            or not _fits(b, radius[i], obstacles, close)
-        ):
-            b = a
-        after[i, 0], after[i, 1] = b
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        radii = np.sqrt(dx * dx + dy * dy) / radius[i]
+        pieces = int(np.ceil(radii)) if radii > LONG else 1
+        here = a
+        for _ in range(pieces):
+            x, y = here[0] + dx / pieces, here[1] + dy / pieces
+            here = _moved(here, b if pieces == 1 else (x, y), radius[i], obstacles)
+        after[i, 0], after[i, 1] = here
+
+
+@compiled
+def _moved(a: Point, b: Point, radius: float, obstacles: Obstacles) -> Point:
+    """Where a body comes to be that goes from a to b; back at a if there is no way."""
+    close = _close_to(a, b, radius + PUSHED, obstacles)
+    after = b
+    meets = _goes_through(a, b, obstacles, close)
+    if meets:
+        b = a
+    for _ in range(ROUNDS):
+        x, y, overlaps = _pushed_out(b, radius, obstacles, close)
+        meets |= overlaps
+        if (x, y) == b:
+            break
+        b = x, y
+    # A push may lead into a gap too narrow, through the other side of it, or to
+    # segments that were not looked at; and there may be no way out.
+    aside = max(abs(b[0] - after[0]), abs(b[1] - after[1]))
+    if meets and (
+        (b != a and aside > PUSHED)
+        or _goes_through(a, b, obstacles, close)
+        or not _fits(b, radius, obstacles, close)
+    ):
+        return a
+    return b
 
 
 @compiled
@@ -143,18 +166,25 @@ def _goes_through(a: Point, b: Point, obstacles: Obstacles, close: Indices) -> b
 
 
 @compiled
-def _pushed_out(b: Point, radius: float, obstacles: Obstacles, close: Indices) -> Point:
-    """Where a body comes to be that is pushed out of one segment after the other."""
+def _pushed_out(
+    b: Point, radius: float, obstacles: Obstacles, close: Indices
+) -> tuple[float, float, bool]:
+    """Where a body comes to be that is pushed out of one segment after the other.
+
+    And whether it overlapped any; one whose middle lies on a segment is pushed nowhere.
+    """
     segments, thickness = obstacles.segments, obstacles.thickness
-    x, y = b
+    (x, y), overlaps = b, False
     for k in close:
         least = radius + thickness[k]
         gx, gy = _offset((x, y), *_ends(segments[k]))
         gap = np.sqrt(gx * gx + gy * gy)
-        if 1e-9 < gap < least:
-            x += gx / gap * (least - gap)
-            y += gy / gap * (least - gap)
-    return x, y
+        if gap < least:
+            overlaps = True
+            if gap > ON_A_LINE:
+                x += gx / gap * (least - gap)
+                y += gy / gap * (least - gap)
+    return x, y, overlaps
 
 
 @compiled

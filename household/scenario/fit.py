@@ -265,7 +265,7 @@ def first_spots(scenario: Scenario) -> Iterator[tuple[str, Point]]:
 def _misplaced(scenario: Scenario, point: Point) -> str:
     """Why a body cannot begin at a point, or an empty text."""
     routes, here = routes_of(scenario.plan), np.array(point)
-    if not routes.is_indoors(here):
+    if not (routes.is_indoors(here) and routes.has_room(point)):
         return "in a wall, in furniture or outdoors; allowed: free floor indoors"
     if not routes.connects(here, np.array(scenario.plan.regions[0].center)):
         return "no way leads there; allowed: where people can walk to"

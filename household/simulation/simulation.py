@@ -13,6 +13,7 @@ import numpy as np
 from household.compiled.arrays import Floats
 from household.compiled.jit import bind
 from household.feedback import Feedback
+from household.home.navigation.routes import BODY
 from household.motion.bodies import BodyParams, Pursuit
 from household.motion.crowd import Crowd
 from household.observation.kernel import View
@@ -31,7 +32,7 @@ from household.simulation.moment import DECISION, Record, field_of, record_type
 from household.simulation.random_streams import Draws, Streams
 from household.state import Stateful
 
-PERSON_RADIUS, ROBOT_RADIUS = 0.25, 0.15
+PERSON_RADIUS, ROBOT_RADIUS = BODY, 0.15
 """Of the bodies [m]; the robot's is that of a small dog, as the AIBO is."""
 
 PERSON_MASS, ROBOT_MASS = 70.0, 2.0

@@ -16,13 +16,20 @@ from household.compiled.arrays import Floats, Mask
 from household.compiled.jit import bind
 from household.config.toml import Point
 from household.home.floorplan import FloorPlan
+from household.home.geometry import distance_to_box, distance_to_segments
 from household.home.navigation.cells import mark_near_box, mark_near_segment
 from household.home.navigation.grid import CELL, Grid, cell_of
 from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
 from household.home.navigation.search import empty_cache
 
+BODY = 0.25
+"""Radius of the widest walker, a person [m]."""
+
 CLEARANCE = 0.3
-"""From a walker's center to any obstacle [m]: its radius of 0.25 and a margin."""
+"""From a walker's center to any obstacle [m]: its radius and a margin."""
+
+ROUNDING = 1e-9
+"""Of distances [m]."""
 
 STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 """Half of the eight directions; the graph is undirected."""
@@ -35,6 +42,7 @@ class Routes:
     """The free space of one floor plan and the walks through it."""
 
     def __init__(self, plan: FloorPlan) -> None:
+        self._plan = plan
         self._origin = plan.lower - MARGIN
         shape = np.ceil((plan.upper + MARGIN - self._origin) / CELL).astype(int)
         self._shape: tuple[int, int] = (int(shape[0]), int(shape[1]))
@@ -87,6 +95,17 @@ class Routes:
         """Whether a body fits at a point that the walls close off from outside."""
         cell = self.cell(point)
         return bool(self.free[cell]) and self.parts[cell] != self.parts[0, 0]
+
+    def has_room(self, point: Point) -> bool:
+        """Whether a body at a point overlaps nothing; in a free cell it nearly fits."""
+        if not self.free[self.cell(point)]:
+            return False
+        plan, spot = self._plan, np.array([point])
+        gap = distance_to_segments(spot, plan.wall_segments).min()
+        gaps = [gap - plan.wall_thickness / 2]
+        for box in plan.furniture:
+            gaps.append(distance_to_box(spot, box.center, box.size, box.angle)[0])
+        return bool(min(gaps) >= BODY - ROUNDING)
 
     def connects(self, start: Floats, goal: Floats) -> bool:
         """Whether a body that fits at both points can walk from one to the other."""

@@ -103,6 +103,22 @@ def test_walls_may_be_thin_or_thick_within_reason(smart_room, thickness, faults)
     )
 
 
+def test_a_body_may_not_overlap_a_wall_although_its_cell_is_free(smart_room):
+    """A cell is free if a body fits in its middle; elsewhere it may not, by an inch."""
+    oblique = Wall(start=(4.0, 2.0), end=(5.0, 3.0))
+    walls = (*smart_room.walls, oblique)
+    plan = msgspec.structs.replace(smart_room, walls=walls, furniture=())
+    routes = routes_of(plan)
+    beside = [(4.5 - gap, 2.5 + gap) for gap in np.arange(0.15, 0.3, 0.002).tolist()]
+    tight = [spot for spot in beside if routes.free[routes.cell(spot)]]
+    too_tight = [spot for spot in tight if not routes.has_room(spot)]
+    assert 0 < len(too_tight) < len(tight)
+    for spot in too_tight:
+        assert math.dist(spot, (4.5, 2.5)) < 0.3
+        faults = problems(changed(plan, "regions", 2, center=spot))
+        assert any("'armchair' is where no body fits" in fault for fault in faults)
+
+
 def test_a_gap_that_only_looks_pass_is_a_fault_too(smart_room):
     slit = changed(smart_room, "walls", 2, end=(8.0, 4.8))
     assert problems(slit)[0].startswith("regions[0].center: 'entrance' is outdoors")
