@@ -14,7 +14,6 @@ from learners.tabular.base import CreditedLearner
 from learners.tabular.cells import Cell
 from learners.tabular.qtable import QTable
 from learners.tabular.rates import Factors, Rate, SocialRate, at
-from learners.tabular.updates import td_error
 
 
 class Target(NamedTuple):
@@ -166,12 +165,13 @@ class QLearner(CreditedLearner):
         """R + gamma * max Q(s'), in each cell by its own person's part of Q(s')."""
         reward = credit.reward
         value = 0.0 if reward is None else reward.value
+        cells = self._taught(entry, reward)
+        if self.gamma == 0.0:  # nothing of what comes after needs to be looked at
+            return [(cell, value) for cell in cells]
         following = self._values(entry.next_state)
         best = max(following)
         if not self.representation.by_person:
-            cells = self.memory.seen(entry.state).cells
             return [(cell, value + self.gamma * best) for cell in cells]
-        cells = self._taught(entry, reward)
         parts = self.memory.parts(entry.next_state, following.index(best), cells)
         return [(c, value + self.gamma * p) for c, p in zip(cells, parts, strict=True)]
 
@@ -179,7 +179,7 @@ class QLearner(CreditedLearner):
         """Where each cell stands, and the newest pair's error on top of it."""
         newest = self.history.entries[-1]
         errors = {
-            cell.person: td_error(self._value(newest, cell), aim)
+            cell.person: aim - self._value(newest, cell)
             for cell, aim in self._aims(newest, credit)
         }
         return [
@@ -209,7 +209,7 @@ class QLearner(CreditedLearner):
             values, visits = cell.row
             weight = update.weight * (share * strength)
             step = rate(visits[action]) * weight * self._pace(values[action], aim)
-            memory.move(cell, action, aim, step, min(weight, 1.0))
+            memory.move(cell, action, aim, step, weight if weight < 1.0 else 1.0)
         self.table.updates += 1
 
     def _carried(

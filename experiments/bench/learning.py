@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import tracemalloc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
@@ -28,7 +28,7 @@ ACTORS = 4
 
 def updates(settings: Settings) -> Iterator[Measurement]:
     """Yields the time of an update with the canonical form, against the actors."""
-    from experiments.bench.updates import Composition, cost
+    from experiments.bench.updates import Composition, times
 
     canonical = Composition(settings=lambda _: {"representation": "canonical"})
     growths = [
@@ -41,7 +41,7 @@ def updates(settings: Settings) -> Iterator[Measurement]:
             name=str(actors),
             unit="us",
             values=tuple(
-                cost(canonical, actors, known=True).update
+                times(canonical, actors, known=True).update
                 for _ in range(min(settings.repetitions, 3))
             ),
             growth=growth,
@@ -54,33 +54,36 @@ def updates(settings: Settings) -> Iterator[Measurement]:
 
 def people(settings: Settings) -> Iterator[Measurement]:
     """Yields what the learner by views takes, against the people in a situation."""
-    from experiments.bench.updates import Composition, cost
+    from experiments.bench.updates import Composition, memory, times
 
-    views = Composition(learner="views")
-    costs = {
-        n: [cost(views, n, known=True) for _ in range(min(settings.repetitions, 3))]
-        for n in settings.company
+    views, often = Composition(learner="views"), min(settings.repetitions, 3)
+    taken = {
+        n: [times(views, n, known=True) for _ in range(often)] for n in settings.company
     }
-    for what, unit, budget in (
-        ("update", "us", 20.0),
-        ("choice", "us", 15.0),
-        ("memory", "kB", None),
-    ):
-        growths = [
-            Growth(what=f"{what} by views", against="people", x=n) for n in costs
-        ]
-        found = [
-            Measurement(
-                part=growth.part,
-                name=str(n),
-                unit=unit,
-                values=tuple(getattr(each, what) for each in costs[n]),
-                growth=growth,
-                at_most=budget if n == BUDGET_PEOPLE else None,
-            )
-            for n, growth in zip(costs, growths, strict=True)
-        ]
-        yield from (*found, exponent(found, at_most=LINEAR))
+    sizes = {n: [memory(views, n) for _ in range(often)] for n in settings.company}
+    updates = {n: [each.update for each in found] for n, found in taken.items()}
+    choices = {n: [each.choice for each in found] for n, found in taken.items()}
+    yield from _against_people("update by views", "us", updates, budget=20.0)
+    yield from _against_people("choice by views", "us", choices, budget=15.0)
+    yield from _against_people("memory by views", "kB", sizes, budget=None)
+
+
+def _against_people(
+    what: str, unit: str, values: Mapping[int, list[float]], budget: float | None
+) -> Iterator[Measurement]:
+    growths = [Growth(what=what, against="people", x=n) for n in values]
+    found = [
+        Measurement(
+            part=growth.part,
+            name=str(n),
+            unit=unit,
+            values=tuple(values[n]),
+            growth=growth,
+            at_most=budget if n == BUDGET_PEOPLE else None,
+        )
+        for n, growth in zip(values, growths, strict=True)
+    ]
+    yield from (*found, exponent(found, at_most=LINEAR))
 
 
 def visited(settings: Settings) -> Iterator[Measurement]:

@@ -47,22 +47,20 @@ class Composition:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cost:
-    """What a learner takes.
+class Times:
+    """What a learner takes [us].
 
     Attributes:
-        update: time of one `learn` [us].
-        choice: time of one `act` [us].
-        memory: of the learner after so many updates [kB].
+        update: one `learn`.
+        choice: one `act`.
     """
 
     update: float
     choice: float
-    memory: float
 
 
-def cost(composition: Composition, n_actors: int, *, known: bool) -> Cost:
-    """Measures a learner that lives through the states of a crowd.
+def times(composition: Composition, n_actors: int, *, known: bool) -> Times:
+    """Times a learner that lives through the states of a crowd.
 
     Times are the means of the fastest of ten runs: other work on the machine only adds
     to them.
@@ -74,17 +72,31 @@ def cost(composition: Composition, n_actors: int, *, known: bool) -> Cost:
             are as good as never met before.
     """
     rng = np.random.default_rng(0)
-    states = _states(n_actors, rng, known=known)
-    lived = list(experiences(states, rng))
+    lived = list(experiences(_states(n_actors, rng, known=known), rng))
     learner = composition.make(n_actors)
     for experience in lived[:UPDATES]:
         learner.learn(experience)
     runs = [
-        _times(learner, [lived[i] for i in run])
+        _run(learner, [lived[i] for i in run])
         for run in np.array_split(np.arange(UPDATES, 2 * UPDATES), RUNS)
     ]
     choice, update = (1e6 * each for each in np.min(runs, axis=0).tolist())
-    return Cost(update=update, choice=choice, memory=_kilobytes(composition, lived))
+    return Times(update=update, choice=choice)
+
+
+def memory(composition: Composition, n_actors: int) -> float:
+    """Memory of a learner that lived through the known states of a crowd [kB]."""
+    rng = np.random.default_rng(0)
+    lived = list(experiences(_states(n_actors, rng, known=True), rng))
+    tracemalloc.start()
+    try:
+        learner = composition.make(n_actors)
+        for experience in lived[:UPDATES]:
+            learner.act(experience.state)
+            learner.learn(experience)
+        return tracemalloc.get_traced_memory()[0] / 1e3
+    finally:
+        tracemalloc.stop()
 
 
 def _states(n_actors: int, rng: np.random.Generator, *, known: bool) -> list[Crowd]:
@@ -93,7 +105,7 @@ def _states(n_actors: int, rng: np.random.Generator, *, known: bool) -> list[Cro
     return walk(n_actors, 2 * UPDATES + 1, rng)
 
 
-def _times(learner: Learner, lived: Sequence[Experience]) -> tuple[float, float]:
+def _run(learner: Learner, lived: Sequence[Experience]) -> tuple[float, float]:
     """Seconds of one choice and of one update."""
     clock, n = time.process_time, len(lived)
     begin = clock()
@@ -103,18 +115,6 @@ def _times(learner: Learner, lived: Sequence[Experience]) -> tuple[float, float]
     for experience in lived:
         learner.learn(experience)
     return (chosen - begin) / n, (clock() - chosen) / n
-
-
-def _kilobytes(composition: Composition, lived: Sequence[Experience]) -> float:
-    """Of another learner that lives through the same: looking on slows it down."""
-    tracemalloc.start()
-    try:
-        learner = composition.make(len(lived[0].state.entities))  # type: ignore[attr-defined]
-        for experience in lived[:UPDATES]:
-            learner.learn(experience)
-        return tracemalloc.get_traced_memory()[0] / 1e3
-    finally:
-        tracemalloc.stop()
 
 
 BY_VIEWS = {"representation": "views", "pooling": "hierarchical_rates"}
@@ -181,12 +181,12 @@ def table(
 
 def known_and_new(composition: Composition, n_actors: int) -> list[float]:
     """Time of an update in states met before, and in new ones [us]."""
-    return [cost(composition, n_actors, known=known).update for known in (True, False)]
+    return [times(composition, n_actors, known=known).update for known in (True, False)]
 
 
 def update_and_choice(composition: Composition, n_actors: int) -> list[float]:
     """Time of an update and of a choice in states met before [us]."""
-    found = cost(composition, n_actors, known=True)
+    found = times(composition, n_actors, known=True)
     return [found.update, found.choice]
 
 

@@ -11,13 +11,12 @@ from learners.errors import check_range
 from learners.qlearner import QLearner
 from learners.saving import saved
 from learners.tabular.rates import AsynchronousRate, Rate
-from learners.tabular.updates import hysteretic
 
 
 @saved
 @dataclass(eq=False)
 class Hysteretic(QLearner):
-    """Q-learning with a factor on the rate by the sign of the error.
+    """Q-learning with a factor on the rate by the sign of the error (equation 3).
 
     Attributes:
         rate: asynchronous by default.
@@ -36,4 +35,4 @@ class Hysteretic(QLearner):
         check_range("decrease", self.decrease, 0.0, 1.0)
 
     def _pace(self, value: float, target: float) -> float:
-        return hysteretic(value, target, self.increase, self.decrease)
+        return self.increase if target >= value else self.decrease

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from learners.errors import check_range
 from learners.saving import saved
-from learners.tabular.updates import moved
 
 
 class Row(NamedTuple):
@@ -21,14 +20,18 @@ class Row(NamedTuple):
     def move(self, action: int, target: float, step: float, visits: float) -> None:
         """Move one value towards a target and count the visit.
 
+        (1 - alpha) * Q + alpha * target; source: section 3.1 of the paper, written as
+        Q + alpha * (target - Q).
+
         Args:
             action: behavior index.
             target: what the value moves towards.
-            step: how far, as a share of the way.
+            step: how far, as a share of the way: learning rate times eligibility.
             visits: what it counts as a visit; a spread-out update counts in part, so
                 that a trace of a touch does not use up a pair's learning rate.
         """
-        self.values[action] = moved(self.values[action], target, step)
+        values = self.values
+        values[action] += step * (target - values[action])
         self.visits[action] += visits
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from experiments.bench import updates
 from experiments.bench.crowds import experiences, walk
-from experiments.bench.updates import Composition, Cost, cost, table
+from experiments.bench.updates import Composition, Times, memory, table, times
 from learners.analogy.carrying import Propagation
 from learners.representation import Nameless, Views
 from learners.representation.states import is_state
@@ -47,17 +47,17 @@ def test_touches_come_every_few_entries_and_a_bout_lasts_some(states):
 
 @pytest.mark.parametrize("composition", updates.PEOPLE.values())
 def test_time_and_memory_of_every_composition_are_measured(composition):
-    found = cost(composition, 3, known=True)
-    assert min(found.update, found.choice, found.memory) > 0.0
+    found = times(composition, 3, known=True)
+    assert min(found.update, found.choice, memory(composition, 3)) > 0.0
 
 
 def test_the_tables_have_a_row_per_number_of_actors_and_a_column_per_learner(
     monkeypatch,
 ):
     def measured(composition, n_actors, *, known):
-        return Cost(update=float(n_actors), choice=0.5, memory=1.0)
+        return Times(update=float(n_actors), choice=0.5)
 
-    monkeypatch.setattr(updates, "cost", measured)
+    monkeypatch.setattr(updates, "times", measured)
     analogies = table(updates.ANALOGIES, (1, 5), updates.known_and_new)
     rows = [
         [c.strip() for c in line.split("|")[1:-1]] for line in analogies.split("\n")
