@@ -60,6 +60,15 @@ def _shipped_schedule() -> dict[str, Stay]:
 
 
 def _everyday(places: Places) -> dict[str, Stay]:
-    """The shipped schedule, without the activities that a home has no place for."""
-    here = {region.activity for region in places.regions}
-    return {name: stay for name, stay in _shipped_schedule().items() if name in here}
+    """The shipped schedule, without the activities that a home has no place for.
+
+    From where nothing that is left follows, people go anywhere.
+    """
+    activities = {region.activity for region in places.regions}
+    here = {name: s for name, s in _shipped_schedule().items() if name in activities}
+    return {
+        name: stay
+        if here.keys() & stay.then.keys()
+        else Stay(duration=stay.duration, then=dict.fromkeys(here, 1.0))
+        for name, stay in here.items()
+    }
