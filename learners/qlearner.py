@@ -115,10 +115,11 @@ class QLearner(CreditedLearner):
             for cell, value in u.aims
         )
 
-    def share(self, other: "QLearner") -> None:
+    def share(self, other: CreditedLearner) -> None:
         """From now on, learn into what another learner of this kind has learned."""
         super().share(other)
-        self.analogy = other.analogy
+        if isinstance(other, QLearner):
+            self.analogy = other.analogy
 
     def move(self, targets: Sequence[Target], strength: float = 1.0) -> None:
         """Move pairs and their analogs towards their targets.

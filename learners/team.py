@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from learners.catalog import make_learner
 from learners.errors import ParameterError, UnknownRobotError, check_range
+from learners.expectation import ExpectedTouch
 from learners.experience import Experience
 from learners.learner import Credit, Learner
 from learners.qlearner import QLearner
 from learners.representation.states import is_state
 from learners.saving import saved, write
+from learners.tabular.base import CreditedLearner
 
 Sharing = Literal["independent", "shared", "carried"]
 Translation = Callable[[Hashable, Hashable, Hashable], Hashable]
@@ -50,8 +52,8 @@ class Team:
         translate: a state of one robot as another would see it.
 
     Raises:
-        ParameterError: if there are no members, or members other than QLearners are to
-            share or carry.
+        ParameterError: if there are no members; if others than QLearners are to carry,
+            or others than QLearners and ExpectedTouch are to share, all of one kind.
     """
 
     members: dict[Hashable, Learner]
@@ -65,14 +67,20 @@ class Team:
             raise ParameterError(f"there is no sharing called {self.sharing!r}")
         if not self.members:
             raise ParameterError("a team needs at least one robot")
-        if self.sharing == "independent":
-            return
-        if not all(isinstance(m, QLearner) for m in self.members.values()):
-            raise ParameterError("only QLearners can share or carry experience")
+        members = list(self.members.values())
+        all_q_learners = all(isinstance(each, QLearner) for each in members)
+        if self.sharing == "carried" and not all_q_learners:
+            raise ParameterError("only QLearners can carry experience")
         if self.sharing == "shared":
-            first = self._q_learner(next(iter(self.members)))
-            for robot in self.members:
-                self._q_learner(robot).share(first)
+            first = members[0]
+            alike = all(type(each) is type(first) for each in members)
+            if not alike or not isinstance(first, QLearner | ExpectedTouch):
+                raise ParameterError(
+                    "only QLearners or ExpectedTouch learners can share a table, all "
+                    "of one kind"
+                )
+            for each in members:
+                cast(CreditedLearner, each).share(first)
 
     def member(self, robot: Hashable) -> "Member":
         """One robot's learner, as a learner like any other.

@@ -51,9 +51,10 @@ class TravelPosterior(CreditRule):
         set_out = reward.approach_began
         set_out = reward.time if set_out is None else set_out
         latest = history.in_force(set_out)
+        mode = self.reaction * math.exp(-(self.spread**2))  # the likeliest delay
         likelihoods = {
-            index: self._likelihood(history.entries[index], set_out, reward)
-            for index in range(latest + 1)
+            index: self._likelihood(entry, set_out, reward.attention_began, mode)
+            for index, entry in enumerate(history.entries[: latest + 1])
         }
         total = sum(likelihoods.values())
         if total <= 0.0:  # all too long ago for floating point: the latest it is
@@ -62,14 +63,14 @@ class TravelPosterior(CreditRule):
         weights = {i: p for i, p in posterior.items() if p >= LEAST_WEIGHT}
         return Weighing(weights, max(weights, key=weights.__getitem__))
 
-    def _likelihood(self, entry: Experience, set_out: float, reward: Reward) -> float:
-        turned = reward.attention_began
+    def _likelihood(
+        self, entry: Experience, set_out: float, turned: float | None, mode: float
+    ) -> float:
         seen = turned is not None and turned < min(entry.next_time, set_out)
         first = max(entry.time, turned) if seen and turned is not None else entry.time
         # The delay can be counted from any moment of the entry: take the likeliest.
         longest = set_out - first
         shortest = max(set_out - entry.next_time, 0.0)
-        mode = self.reaction * math.exp(-(self.spread**2))
         delay = min(max(mode, shortest), longest)
         return self._density(delay) * (1.0 if seen else self.unseen)
 
@@ -77,4 +78,7 @@ class TravelPosterior(CreditRule):
         if delay <= 0.0:
             return 0.0
         z = math.log(delay / self.reaction) / self.spread
-        return math.exp(-0.5 * z * z) / (delay * self.spread * math.sqrt(2.0 * math.pi))
+        return math.exp(-0.5 * z * z) / (delay * self.spread * _ROOT)
+
+
+_ROOT = math.sqrt(2.0 * math.pi)

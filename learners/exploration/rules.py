@@ -173,6 +173,10 @@ class Thompson:
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:
         """The best of one normal draw per behavior."""
-        means = np.asarray(estimates.values)
-        deviations = np.asarray(estimates.deviations, dtype=float)
-        return int(np.argmax(rng.normal(means, deviations)))
+        means, deviations = estimates.values, estimates.deviations or ()
+        points = rng.standard_normal(len(means)).tolist()
+        draws = [
+            mean + deviation * point
+            for mean, deviation, point in zip(means, deviations, points, strict=True)
+        ]
+        return draws.index(max(draws))

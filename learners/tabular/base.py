@@ -97,7 +97,7 @@ class CreditedLearner(ABC):
             self._memory = Memory(self.table, self.representation, self.pooling)
         return self._memory
 
-    def share(self, other: Self) -> None:
+    def share(self, other: "CreditedLearner") -> None:
         """From now on, learn into what another learner of this kind has learned."""
         self.table, self.network = other.table, other.network
         self.pooling, self._memory = other.pooling, other.memory

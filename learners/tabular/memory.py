@@ -138,8 +138,8 @@ class Memory:
     def deviations(self, state: Hashable) -> Sequence[float]:
         """Standard deviation of the posterior of each value."""
         cells = self.seen(state).cells
-        pulls = zip(*[cell.pull for cell in cells], strict=True)
-        common = zip(*[cell.population.variance for cell in cells], strict=True)
+        pulls = zip(*[cell.pull for cell in cells])  # noqa: B905 - see `values`
+        common = zip(*[cell.population.variance for cell in cells])  # noqa: B905
         between = self._pooling.between
         found = [
             between * sum(pull) + sum(map(mul, map(mul, pull, pull), variance))

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from learners import QLearner, Team, load, make_team
+from learners import QLearner, Team, load, make_learner, make_team
 from learners.errors import ParameterError, UnknownRobotError
 from learners.exploration import Greedy
 from learners.tabular.rates import ConstantRate
@@ -124,9 +124,54 @@ def test_robots_have_random_streams_of_their_own(live):
     assert ways[0] != ways[1]
 
 
-def test_only_q_learners_share(rng):
+@pytest.mark.parametrize("name", ["views", "designated_views"])
+def test_views_are_shared_as_each_robot_would_see_them(
+    name, rng, entry, touch, toy, tmp_path
+):
+    team = make_team(name, ROBOTS, 2, rng, sharing="shared")
+    for robot in ROBOTS:
+        seen = toy("ann reads, bob calls", f"ann {robot}")
+        felt = touch(value=1.0, time=1.0, giver="ann")
+        team.learn(robot, entry(seen, 1, 0.0, felt))
+    values = {
+        robot: team.q_values(robot, toy("ann reads", f"ann {robot}")).tolist()
+        for robot in ROBOTS
+    }
+    assert values["rex"] == values["ada"]
+    assert values["rex"][1] > 0.0
+    team.save(tmp_path / "team.json")
+    twin = load(tmp_path / "team.json")
+    twin.learn("rex", entry(toy("ann reads", "ann rex"), 1, 1.0, touch(time=2.0)))
+    alone = toy("ann reads", "ann ada")
+    assert twin.q_values("ada", alone)[1] > team.q_values("ada", alone)[1]
+
+
+def test_views_are_carried_to_the_same_person_before_another_robot(
+    rng, entry, touch, toy
+):
+    team = make_team("designated_views", ROBOTS, 2, rng, sharing="carried")
+    seen = toy("ann reads, bob calls", "ann rex")
+    team.learn("rex", entry(seen, 1, 0.0, touch(value=1.0, time=1.0, giver="ann")))
+    rows = team.members["ada"].table.rows
+    assert {(person, dict(view)["plays"]) for view, person in rows} == {
+        ("ann", "reads")
+    }
+    assert team.q_values("ada", toy("ann reads", "ann ada"))[1] > 0.0
+
+
+@pytest.mark.parametrize("sharing", ["shared", "carried"])
+def test_only_learners_that_can_share_do(rng, sharing):
     with pytest.raises(ParameterError, match="only QLearners"):
-        make_team("tamer", ROBOTS, 2, rng, sharing="shared")
+        make_team("tamer", ROBOTS, 2, rng, sharing=sharing)
+
+
+def test_only_learners_of_one_kind_share(rng):
+    members = {
+        robot: make_learner(name, 2, rng)
+        for robot, name in zip(ROBOTS, ("views", "designated"), strict=True)
+    }
+    with pytest.raises(ParameterError, match="all of one kind"):
+        Team(members=members, sharing="shared")
 
 
 @pytest.mark.parametrize(
