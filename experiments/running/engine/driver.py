@@ -24,6 +24,9 @@ R = TypeVar("R")
 MAX_ATTEMPTS = 3
 """How often a trial that kills its worker is tried in all (our choice)."""
 
+MAX_REOPENED = 3
+"""How many executors may break in a row before a trial is even handed out."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Generic[T, R]):
@@ -96,13 +99,21 @@ class _Loop(Generic[T, R]):
 
     def _submit(self, attempt: _Attempt[T]) -> None:
         with ctrl_c_held_back():
-            try:
-                future = self._executor.submit(self._run, attempt.trial)
-            except BrokenExecutor:  # an idle worker died: nothing in flight is to blame
-                self._reopen()
-                future = self._executor.submit(self._run, attempt.trial)
+            future = self._hand_out(attempt.trial)
         self._live[future] = attempt
         self._finished.watch(future)
+
+    def _hand_out(self, trial: T) -> Future[R]:
+        """Submits a trial; opens another executor if this one has broken meanwhile."""
+        for _ in range(MAX_REOPENED):
+            try:
+                return self._executor.submit(self._run, trial)
+            except (BrokenExecutor, OSError, EOFError):
+                # A worker died while idle, or just now: a pool that is taking itself
+                # down closes the pipes that a worker being started is handed.
+                # Suspects in flight come back from `collect`; this trial is none.
+                self._reopen()
+        return self._executor.submit(self._run, trial)
 
     def _reopen(self) -> None:
         self.close()

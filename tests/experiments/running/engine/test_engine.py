@@ -1,3 +1,4 @@
+import errno
 import os
 import signal
 import sys
@@ -159,6 +160,37 @@ def test_a_trial_that_always_breaks_its_executor_is_given_up_after_three_attempt
     assert log.count(1) == 3
     assert outcomes[0].value == 0
     assert outcomes[2].value == 4
+
+
+class TakesItselfDown(BreaksOn):
+    """Closes its pipes while it is handed a trial, as a breaking pool does."""
+
+    def submit(self, fn, /, *args, **kwargs):
+        if args[0] == self.bad and not self.broken:
+            self.broken = True
+            raise OSError(errno.EBADF, "Bad file descriptor")
+        return super().submit(fn, *args, **kwargs)
+
+
+def test_an_executor_that_breaks_while_handed_a_trial_costs_nothing():
+    opened = []
+
+    def reopened():
+        bad = None if opened else 1
+        opened.append(TakesItselfDown(bad, []))
+        return opened[-1]
+
+    outcomes = list(run_trials(square, range(3), Engine(open=reopened, window=1)))
+    assert [(o.value, o.error, o.attempts) for o in outcomes] == [
+        (0, None, 1), (1, None, 1), (4, None, 1),
+    ]  # fmt: skip
+    assert len(opened) == 2
+
+
+def test_executors_that_only_ever_break_end_the_run_with_their_error():
+    engine = Engine(open=lambda: TakesItselfDown(0, []), window=1)
+    with pytest.raises(OSError, match="Bad file"):
+        list(run_trials(square, range(3), engine))
 
 
 def test_in_real_processes_crashes_cost_nothing_but_the_trial_that_crashes(
