@@ -69,7 +69,10 @@ def checked_choices(
         )
     choices = {}
     for agent, action in actions.items():
-        robot, behavior = robot_index(agent, index), _whole(action)
+        # Asked directly, and only then in a way that says what is wrong: every step
+        # comes by here.
+        robot = index[agent] if agent in index else robot_index(agent, index)
+        behavior = action if type(action) is int else _whole(action)
         if not 0 <= behavior < n_behaviors:
             raise HouseholdError(
                 f"{agent}: action {shown(action)} is none of the behaviors; "

@@ -227,7 +227,10 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _robot(self, agent: str) -> int:
         """Index of a robot."""
-        return robot_index(agent, self._index)
+        try:
+            return self._index[agent]
+        except (KeyError, TypeError):
+            return robot_index(agent, self._index)
 
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles

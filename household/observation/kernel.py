@@ -82,6 +82,7 @@ def write_features(
         _write_self(row, at, view, robot)
         for i in range(len(view.activity)):
             _write_person(row, at, view, robot, i)
+        _write_close(row, at, view, robot)
         for slot in range(n_robots - 1):
             _write_other_robot(row, at, view, robot, slot, n_behaviors)
 
@@ -109,10 +110,21 @@ def _write_person(row: Singles, at: np.void, view: View, robot: int, i: int) -> 
     row[at["person_attention"] + i] = view.attention[i, me]
     row[at["person_faces"] + i] = view.facing[i, me]
     row[at["person_mood"] + i] = view.mood[robot, i]
-    if at["person_near"] != LEFT_OUT:
-        row[at["person_near"] + i] = view.near[i, robot]
-    if at["person_hears"] != LEFT_OUT:
-        row[at["person_hears"] + i] = view.hears[i, robot]
+
+
+@compiled
+def _write_close(row: Singles, at: np.void, view: View, robot: int) -> None:
+    """Writes who is near and who would hear, where situations hold that.
+
+    Apart from the rest: asked for each person, it takes as long as all other fields.
+    """
+    near, hears = at["person_near"], at["person_hears"]
+    if near != LEFT_OUT:
+        for i in range(len(view.activity)):
+            row[near + i] = view.near[i, robot]
+    if hears != LEFT_OUT:
+        for i in range(len(view.activity)):
+            row[hears + i] = view.hears[i, robot]
 
 
 @compiled

@@ -44,14 +44,15 @@ class EverydayMinds(Minds, Stateful):
         self._gaze = Gaze(self._personas, looking)
         self._gaze.look[:] = self._routines.look
         self._giving = FeedbackGiving(self._personas, self._n_robots, giving)
+        self._aims = Aims(self._routines.look, self._giving.target)
         return self._intended()
 
     def decide(self, percepts: Percepts) -> Intentions:
         """Goes on with what they do, unless there is a robot to caress or to tap."""
         self._giving.consider(percepts)
-        time, period, target = percepts.time, percepts.period, self._giving.target
-        self._routines.advance(time, period, percepts.condition.arrived, target)
-        self._gaze.turn(percepts, Aims(self._routines.look, target))
+        arrived, target = percepts.condition.arrived, self._giving.target
+        self._routines.advance(percepts.time, percepts.period, arrived, target)
+        self._gaze.turn(percepts, self._aims)
         return self._intended()
 
     def _intended(self) -> Intentions:
