@@ -149,7 +149,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         choices = checked_choices(actions, self._index, len(self.behaviors))
         if not self.agents:
             return {}, {}, {}, {}, {}
-        self.simulation.go_on(choices)
+        self.simulation.go_on(choices.items())
         self._show()
         return self._results()
 

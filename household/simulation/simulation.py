@@ -5,7 +5,7 @@ or rewards. The environment steps it, and evaluators and replays look at it.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
@@ -179,17 +179,17 @@ class Simulation(Stateful):
         self._look_around(np.full(len(self._head_turn), 2 * np.pi))
         self._perceive()
 
-    def go_on(self, choices: Mapping[int, int]) -> None:
+    def go_on(self, choices: Iterable[tuple[int, int]]) -> None:
         """Lets one decision period pass.
 
         Robots do what they chose; people walk, look around and touch; everybody
         perceives; people judge what is new to them and decide what to do next.
 
         Args:
-            choices: The behavior of each robot, by index; a robot without a choice
-                goes on with what it does.
+            choices: Pairs of a robot and its behavior, by index; a robot without a
+                choice goes on with what it does.
         """
-        for robot, behavior in choices.items():
+        for robot, behavior in choices:
             self.robots.choose(robot, behavior, self.decision, self.time)
         self._move_robots()
         self._walk_and_touch()
