@@ -63,14 +63,14 @@ def make(
         HouseholdError: If an argument cannot be used.
     """
     several = [scenario] if isinstance(scenario, str | Path | Scenario) else scenario
+    if not several:
+        raise HouseholdError("scenario: none; allowed: one or more")
     n = len(several) if homes is None else homes
     for name, number, least in (("homes", n, 1), ("workers", workers, 0)):
         if not isinstance(number, int) or number < least:
             raise HouseholdError(
                 f"{name}: {shown(number)}; allowed: whole numbers from {least} up"
             )
-    if not several:
-        raise HouseholdError("scenario: none; allowed: one or more")
     loaded = [load_scenario(each, **overrides) for each in several[:n]]
     scenarios = tuple(loaded[home % len(loaded)] for home in range(n))
     plan = Plan(scenarios, make_minds, common_frame(scenarios))
@@ -265,14 +265,14 @@ def _final(told: Told, over: Mask) -> dict[str, Any]:
     for slot in np.flatnonzero(over).tolist():
         observations[slot] = told.observations[slot].copy()
 
-    def ended(array: NDArray[Any]) -> NDArray[Any]:
-        ended = np.zeros_like(array)
-        ended[over] = array[over]
-        return ended
+    def of_those(array: NDArray[Any]) -> NDArray[Any]:
+        final = np.zeros_like(array)
+        final[over] = array[over]
+        return final
 
     return {
         "final_obs": observations,
         "_final_obs": over,
-        "final_info": _infos(told.notices, over, ended),
+        "final_info": _infos(told.notices, over, of_those),
         "_final_info": over,
     }

@@ -11,6 +11,10 @@ NUMBER_BITS = 20
 """Bits of a seed that count the homes, so that no two are alike."""
 
 
+MOST = 2**63
+"""Seeds of homes are below this, as they stand in an array."""
+
+
 def home_seeds(seed: int | None, homes: int) -> tuple[int, ...]:
     """A seed for each home.
 
@@ -20,8 +24,12 @@ def home_seeds(seed: int | None, homes: int) -> tuple[int, ...]:
 
     Returns:
         Numbers from 0 up, below 2 ** 63, that all differ.
+
+    Raises:
+        HouseholdError: If the seed is no whole number from 0 up.
     """
-    drawn = np.random.SeedSequence(seed).generate_state(homes, np.uint64).tolist()
+    entropy = np.random.SeedSequence(checked_seed(seed))
+    drawn = entropy.generate_state(homes, np.uint64).tolist()
     return tuple(
         (number >> 1 >> NUMBER_BITS << NUMBER_BITS) | home
         for home, number in enumerate(drawn)
@@ -42,17 +50,18 @@ def checked_seeds(
     """
     if seed is None:
         return None
-    if isinstance(seed, Sequence | np.ndarray):
+    if isinstance(seed, list | tuple | np.ndarray) and np.ndim(seed) == 1:
         if len(seed) != homes:
             raise HouseholdError(f"{len(seed)} seeds for {homes} homes")
-        return tuple(_checked(each) for each in seed)
-    return home_seeds(_checked(seed), homes)
+        return tuple(map(_checked, seed))
+    return home_seeds(seed, homes)  # type: ignore[arg-type]
 
 
 def _checked(seed: object) -> int:
     number = checked_seed(seed)
-    if number is None or number >= 2**63:
+    if number is None or number >= MOST:
         raise HouseholdError(
-            f"seed: {shown(seed)}; allowed: whole numbers from 0 to 2 ** 63 - 1"
+            f"seed of a home: {shown(seed)}; "
+            "allowed: whole numbers from 0 to 2 ** 63 - 1"
         )
     return number
