@@ -24,7 +24,7 @@ PARTS = {
     "everybody perceives": "simulation._perceive",
     "people appraise": "simulation.people.appraise",
     "people decide and set out": "simulation.people.decide",
-    "observations, situations, infos": "_results",
+    "observations, infos": "_results",
 }
 """The parts of a step, and the methods of the environment that do them."""
 

@@ -125,7 +125,7 @@ def test_the_table_fits_80_columns_with_every_name_on_a_line_of_its_own(told):
     # As wide as it gets: the longest names, large numbers and a budget missed.
     longest = Measurement(
         part="learner's memory against situations visited",
-        name="observations, situations, infos",
+        name="observations, infos",
         unit="kB",
         values=(81_234.0, 91_234.0),
         at_most=1000.0,
