@@ -29,11 +29,11 @@ class Notices(NamedTuple):
             one is over, and else the present one, (n_robots, n_behaviors).
     """
 
-    caresses: Integers
-    taps: Integers
-    behavior_over: Mask
-    attended: Mask
-    action_mask: NDArray[np.int8]
+    caresses: Annotated[Integers, "n_robots"]
+    taps: Annotated[Integers, "n_robots"]
+    behavior_over: Annotated[Mask, "n_robots"]
+    attended: Annotated[Mask, "n_robots"]
+    action_mask: Annotated[NDArray[np.int8], "n_robots", "n_numbers"]
 
 
 class Notifier:
@@ -68,16 +68,7 @@ class Notifier:
             robots: What they felt.
             view: What they may know.
         """
-        self._write(
-            notices.behavior_over,
-            notices.attended,
-            notices.action_mask,
-            view.behavior,
-            view.left,
-            view.attends,
-        )
-        notices.caresses[:] = 0
-        notices.taps[:] = 0
+        self._write(notices, view.behavior, view.left, view.attends)
         if robots.touched:  # Mostly nobody touches, and this happens at every step.
             for robot, touches in enumerate(robots.feedback):
                 caresses = sum(touch.kind == "caress" for touch in touches)
@@ -88,25 +79,24 @@ class Notifier:
 @compiled
 def _write(
     codes: Indices,
-    over: Annotated[Mask, "n_robots"],
-    attended: Annotated[Mask, "n_robots"],
-    action_mask: Annotated[NDArray[np.int8], "n_robots", "n_numbers"],
+    notices: Notices,
     behavior: Annotated[Indices, "n_robots"],
     left: Annotated[Floats, "n_robots"],
     attends: Annotated[Mask, "n", "n"],
 ) -> None:
-    """See `Notices`; ``codes`` are the numbers of the household's own behaviors."""
-    n_robots = len(over)
+    """Writes all but touches; ``codes`` are the numbers of the own behaviors."""
+    n_robots = len(left)
     n_people = len(attends) - n_robots
-    action_mask[:] = 0
+    notices.caresses[:] = 0
+    notices.taps[:] = 0
+    notices.attended[:] = False
+    notices.action_mask[:] = 0
     for robot in range(n_robots):
-        over[robot] = left[robot] == 0.0
-        if over[robot]:
-            for code in codes:
-                action_mask[robot, code] = 1
-        else:
-            action_mask[robot, codes[behavior[robot]]] = 1
-        attended[robot] = False
+        over = left[robot] == 0.0
+        notices.behavior_over[robot] = over
+        for own in range(len(codes)):
+            if over or own == behavior[robot]:
+                notices.action_mask[robot, codes[own]] = 1
         for i in range(n_people):
             if attends[i, n_people + robot]:
-                attended[robot] = True
+                notices.attended[robot] = True

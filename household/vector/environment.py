@@ -262,7 +262,7 @@ def _infos(notices: Notices, whose: Mask, kept: Keep) -> dict[str, Any]:
 def _final(told: Told, over: Mask) -> dict[str, Any]:
     """Observations and infos of the episodes that are over."""
     observations = np.full(len(over), None, dtype=object)
-    for slot in np.flatnonzero(over).tolist():
+    for slot in np.flatnonzero(over):
         observations[slot] = told.observations[slot].copy()
 
     def of_those(array: NDArray[Any]) -> NDArray[Any]:
