@@ -1,9 +1,12 @@
 """A simulated household with people, homes and robots, as a PettingZoo environment."""
 
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pettingzoo
+
+from household.companions import check_companions
 
 if TYPE_CHECKING:
     from household import vector
@@ -12,6 +15,8 @@ if TYPE_CHECKING:
 __all__ = ["held", "vector"]
 
 __version__ = "0.1.0"
+
+check_companions(Path(__file__).parents[1])
 
 # PettingZoo has a registry since 1.27; a name there costs nothing until it is made.
 if hasattr(pettingzoo, "register"):

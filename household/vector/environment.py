@@ -127,9 +127,15 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         length = features.space.shape[0]
         size = Size(n_homes, self.num_envs, length, len(self.behaviors))
         mine, *others = _shares(n_homes, workers)
-        self._workers = Workers(plan, others, size)
+        self._workers = Workers(len(others), size)
         self._buffers = buffers_in(self._workers.record)
-        self._mine = Share(plan, mine, self._buffers)
+        try:
+            # First here: what is compiled for that, the others find on disk.
+            self._mine = Share(plan, mine, self._buffers)
+            self._workers.hand_out(plan, others)
+        except BaseException:
+            self.close()
+            raise
         self._nobody = np.zeros(self.num_envs, np.bool_)
         self._everybody = ~self._nobody
 

@@ -42,15 +42,15 @@ class Workers:
     """Processes that step their shares of the homes.
 
     Args:
-        plan: What there is.
-        shares: The homes of each worker; none: there are no workers.
+        number: Of processes; they get ready while this one does something else.
         size: Of the buffers.
 
     Attributes:
         record: The record of all buffers, in memory shared with the workers.
     """
 
-    def __init__(self, plan: Plan, shares: Sequence[Sequence[int]], size: Size) -> None:
+    def __init__(self, number: int, size: Size) -> None:
+        self._size = size
         self._lines: list[Line] = []
         self._processes: list[subprocess.Popen[bytes]] = []
         # However this ends: closed, forgotten, or with the interpreter.
@@ -61,11 +61,8 @@ class Workers:
             with tempfile.TemporaryFile() as file:  # It has no name to be left behind.
                 file.truncate(record_type(size).itemsize)
                 self.record: NDArray[Any] = mapped(file.fileno(), size)
-                for _ in shares:
+                for _ in range(number):
                     self._start(file.fileno())
-            for process, which in zip(self._processes, shares, strict=True):
-                _hand(process, Job(plan, tuple(which), size))
-            self.wait()
         except BaseException:
             self.end()
             raise
@@ -86,6 +83,20 @@ class Workers:
             there.close()
         self._lines.append(Line(here))
         self._processes.append(process)
+
+    def hand_out(self, plan: Plan, shares: Sequence[Sequence[int]]) -> None:
+        """Hands all workers their homes, and waits until they have built them.
+
+        Args:
+            plan: What there is.
+            shares: The homes of each worker.
+
+        Raises:
+            WorkerError: If one failed.
+        """
+        for process, which in zip(self._processes, shares, strict=True):
+            _hand(process, Job(plan, tuple(which), self._size))
+        self.wait()
 
     def set_to(self, word: bytes) -> None:
         """Sets all workers to work."""
