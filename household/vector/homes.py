@@ -8,7 +8,7 @@ from household.observation.frame import Frame
 from household.observation.notices import Notifier
 from household.people.people import MakeMinds
 from household.scenario.scenario import Scenario
-from household.simulation.simulation import Simulation
+from household.simulation.simulation import PHASES, Simulation
 from household.vector.buffers import GO_ON, Buffers, Told
 
 
@@ -65,26 +65,31 @@ class Home:
         self._rewards[:], self._truncations[:] = 0.0, False
         self._tell(self._now)
 
-    def step(self, actions: Sequence[int]) -> None:
-        """Lets one decision period pass; after the last one, begins the next episode.
+    def choose(self, actions: Sequence[int]) -> None:
+        """Its robots begin what they are told to.
 
         Args:
             actions: Of all slots.
         """
-        simulation, own = self.simulation, self._own
-        choices = [
-            (robot, behavior)
-            for robot, action in enumerate(actions[self.slots])
-            # Who cannot do what only robots elsewhere can goes on with what it does.
-            if (behavior := own[action]) is not None
-        ]
-        simulation.go_on(choices)
+        own = self._own
+        self.simulation.choose(
+            [
+                (robot, behavior)
+                for robot, action in enumerate(actions[self.slots])
+                # Who cannot do what only robots elsewhere can goes on as before.
+                if (behavior := own[action]) is not None
+            ]
+        )
+
+    def tell(self) -> None:
+        """Tells what came of a step; after the last one, begins the next episode."""
+        simulation = self.simulation
         self._rewards[:] = simulation.robots.rewards
         over = simulation.decision >= self._last
+        self._truncations[:] = over
         if over:
             self._tell(self._final)
             simulation.begin(None)
-        self._truncations[:] = over
         self._tell(self._now)
 
     def _tell(self, told: Told) -> None:
@@ -109,6 +114,8 @@ class Share:
             for home in which
         ]
         self._actions = buffers.actions
+        simulations = [home.simulation for home in self._homes]
+        self._phases = [[getattr(s, phase) for s in simulations] for phase in PHASES]
 
     def begin(self) -> None:
         """Begins an episode in each home, with the seeds in the buffers."""
@@ -116,7 +123,12 @@ class Share:
             home.begin(None if seed == GO_ON else seed)
 
     def step(self) -> None:
-        """Lets one decision period pass in each home."""
+        """Lets one decision period pass in all homes, phase by phase."""
         actions = self._actions.tolist()
         for home in self._homes:
-            home.step(actions)
+            home.choose(actions)
+        for phase in self._phases:
+            for let_pass in phase:
+                let_pass()
+        for home in self._homes:
+            home.tell()
