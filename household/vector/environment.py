@@ -124,6 +124,7 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self.observation_space = batch_space(features.space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self._begun = False
+        self._shape, self._most = (self.num_envs,), len(self.behaviors) - 1
         length = features.space.shape[0]
         size = Size(n_homes, self.num_envs, length, len(self.behaviors))
         mine, *others = _shares(n_homes, workers)
@@ -225,7 +226,7 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
 
     def _checked(self, actions: object) -> Integers:
         chosen = np.asarray(actions)
-        shape, most = (self.num_envs,), len(self.behaviors) - 1
+        shape, most = self._shape, self._most
         if chosen.shape != shape or chosen.dtype.kind not in "iu":
             raise HouseholdError(
                 f"actions: {chosen.dtype} of shape {chosen.shape}; "

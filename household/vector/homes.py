@@ -62,7 +62,6 @@ class Home:
             seed: Begins a history of its own; None goes on with the present one.
         """
         self.simulation.begin(seed)
-        self._rewards[:], self._truncations[:] = 0.0, False
         self._tell(self._now)
 
     def choose(self, actions: Sequence[int]) -> None:
@@ -82,12 +81,15 @@ class Home:
         )
 
     def tell(self) -> None:
-        """Tells what came of a step; after the last one, begins the next episode."""
+        """Tells what came of a step; after the last one, begins the next episode.
+
+        Rewards and truncations hold zeros before.
+        """
         simulation = self.simulation
-        self._rewards[:] = simulation.robots.rewards
-        over = simulation.decision >= self._last
-        self._truncations[:] = over
-        if over:
+        if simulation.robots.touched:
+            self._rewards[:] = simulation.robots.rewards
+        if simulation.decision >= self._last:
+            self._truncations[:] = True
             self._tell(self._final)
             simulation.begin(None)
         self._tell(self._now)
@@ -114,16 +116,23 @@ class Share:
             for home in which
         ]
         self._actions = buffers.actions
+        slots = slice(self._homes[0].slots.start, self._homes[-1].slots.stop)
+        self._rewards, self._truncations = (
+            buffers.rewards[slots],
+            buffers.truncations[slots],
+        )
         simulations = [home.simulation for home in self._homes]
         self._phases = [[getattr(s, phase) for s in simulations] for phase in PHASES]
 
     def begin(self) -> None:
         """Begins an episode in each home, with the seeds in the buffers."""
+        self._clear()
         for home, seed in zip(self._homes, self._seeds.tolist(), strict=True):
             home.begin(None if seed == GO_ON else seed)
 
     def step(self) -> None:
         """Lets one decision period pass in all homes, phase by phase."""
+        self._clear()
         actions = self._actions.tolist()
         for home in self._homes:
             home.choose(actions)
@@ -132,3 +141,6 @@ class Share:
                 let_pass()
         for home in self._homes:
             home.tell()
+
+    def _clear(self) -> None:
+        self._rewards[:], self._truncations[:] = 0.0, False
