@@ -4,7 +4,7 @@ SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
-.PHONY: reproduce test clusters lint slow golden clean
+.PHONY: reproduce test clusters oldest lint slow golden clean
 
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
@@ -17,6 +17,16 @@ test: .venv/developing
 clusters: .venv/developing
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dask,ray]'
 	$(BIN)/pytest tests/experiments/running/engine/test_clusters.py
+
+# A little of everything with the oldest versions of all dependencies that are allowed,
+# in an environment of its own; the package is installed, so that it compiles for itself.
+oldest:
+	rm -rf build/oldest
+	$(PYTHON) -m venv build/oldest
+	build/oldest/bin/pip install --quiet --disable-pip-version-check \
+	  --requirement tests/oldest.txt pytest
+	build/oldest/bin/pip install --quiet --disable-pip-version-check --no-deps .
+	build/oldest/bin/pytest -W ignore tests/test_smoke.py
 
 slow: .venv/developing
 	$(BIN)/pytest -m slow

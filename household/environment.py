@@ -15,9 +15,12 @@ from household.compiled.arrays import Floats, Singles
 from household.errors import HouseholdError
 from household.feedback import Cause, Feedback
 from household.observation.encodings import ENCODINGS, Features
+from household.observation.notices import Notifier
+from household.observation.words import features_in_words, situation_in_words
 from household.people.people import MakeMinds
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
+from household.robots.actions import Actions
 from household.robots.bout import Bout
 from household.scenario.scenario import Scenario
 from household.scenario.validation import load_scenario
@@ -90,11 +93,15 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._read: tuple[Situation, ...] = ()
         self._features = Features(self.scenario)
         self._encoding = ENCODINGS[observation](self.scenario)
-        actions = spaces.Discrete(len(self.behaviors))
+        self._notifier = Notifier(self.scenario)
+        self._notices = self._notifier.new()
         self.observation_spaces: dict[str, spaces.Space[Any]] = dict.fromkeys(
             self.possible_agents, self._encoding.space
         )
-        self.action_spaces = dict.fromkeys(self.possible_agents, actions)
+        self.action_spaces = {
+            agent: Actions(len(self.behaviors), robot)
+            for agent, robot in self._index.items()
+        }
         self.state_space = _repeated(self._features.space, len(self.possible_agents))
 
     def observation_space(self, agent: str) -> spaces.Space[Any]:
@@ -116,7 +123,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
             options: Not used.
 
         Returns:
-            Observations and empty infos of all agents.
+            Observations and infos of all agents, both as after a step.
 
         Raises:
             HouseholdError: If the seed is no whole number from 0 up.
@@ -125,7 +132,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self.agents = list(self.possible_agents)
         self.simulation.begin(checked)
         self._show()
-        return self._observations(), {agent: {} for agent in self.agents}
+        return self._observations(), self._infos()
 
     def step(self, actions: Mapping[str, int]) -> Results:
         """Lets one decision period pass.
@@ -133,13 +140,21 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         Robots choose behaviors; people walk, look around and touch; everybody
         perceives; people judge what is new to them and decide what to do next.
 
+        Behaviors last longer than a step. An action that repeats the present behavior
+        goes on with it, and begins it anew only once it is over; another action
+        interrupts it. Whether a choice is due, so that nothing is interrupted, is in
+        the infos: `behavior_over`, and an `action_mask` that else leaves only the
+        present behavior. `household.held` asks for choices only then.
+
         Args:
             actions: The behavior of each robot, by agent; a robot without an action
                 goes on with what it does.
 
         Returns:
             Observations, rewards, terminations, truncations and infos by agent; all
-            empty once the episode is over.
+            empty once the episode is over. Infos are numbers and arrays of fixed size:
+            the fields of `household.observation.notices.Notices`. The touches
+            themselves are in `feedback`, the situation in `situation`.
 
         Raises:
             HouseholdError: Before the first reset, or if an action is none of the
@@ -149,7 +164,7 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         choices = checked_choices(actions, self._index, len(self.behaviors))
         if not self.agents:
             return {}, {}, {}, {}, {}
-        self.simulation.go_on(choices)
+        self.simulation.go_on(choices.items())
         self._show()
         return self._results()
 
@@ -234,25 +249,32 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
 
     def _results(self) -> Results:
         over = self.decision >= self.max_cycles
-        robots, infos = self.simulation.robots, {}
-        for agent, touches, situation in zip(
-            self.agents, robots.feedback, self._seen(), strict=True
-        ):
-            # Mostly nobody touches, and this happens at every step.
-            caresses = sum(t.kind == "caress" for t in touches) if touches else 0
-            infos[agent] = {
-                "situation": situation,
-                "feedback": touches,
-                "caresses": caresses,
-                "taps": len(touches) - caresses,
-            }
-        observations = self._observations()
-        rewards = dict(zip(self.agents, robots.rewards.tolist(), strict=True))
+        observations, infos = self._observations(), self._infos()
+        rewards = dict(
+            zip(self.agents, self.simulation.robots.rewards.tolist(), strict=True)
+        )
         terminations = dict.fromkeys(self.agents, False)
         truncations = dict.fromkeys(self.agents, over)
         if over:
             self.agents = []
         return observations, rewards, terminations, truncations, infos
+
+    def _infos(self) -> dict[str, dict[str, Any]]:
+        told = self._notices
+        self._notifier.write(told, self.simulation.robots, self.simulation.view)
+        over, attended = told.behavior_over.tolist(), told.attended.tolist()
+        caresses, taps = told.caresses.tolist(), told.taps.tolist()
+        masks = told.action_mask.copy()  # The caller's to keep; numbers are anyway.
+        return {
+            agent: {
+                "caresses": caresses[i],
+                "taps": taps[i],
+                "behavior_over": over[i],
+                "attended": attended[i],
+                "action_mask": masks[i],
+            }
+            for i, agent in enumerate(self.agents)
+        }
 
     def _observations(self) -> dict[str, Observation]:
         rows = self._encoding.encode(self.simulation.view)
@@ -340,6 +362,24 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         """
         self._check_begun()
         return self.simulation.people.opinions(self._robot(agent))
+
+    def describe(self, observation: Observation) -> str:
+        """What an observation of any of the robots says, in words, line by line."""
+        people = self.scenario.person_names
+        if isinstance(observation, Mapping):
+            return situation_in_words(observation, people)
+        return features_in_words(
+            observation, self._features.layout, people, self.behaviors
+        )
+
+    def __repr__(self) -> str:
+        scenario = self.scenario
+        moment = f"step {self.decision} of {self.max_cycles}"
+        return (
+            f"Household({scenario.name!r}: {len(scenario.people)} people, "
+            f"{len(scenario.robots)} robots, {len(self.behaviors)} behaviors; "
+            f"{moment if self.simulation.begun else 'not yet reset'})"
+        )
 
 
 def _repeated(space: spaces.Box, times: int) -> spaces.Box:

@@ -25,7 +25,7 @@ class Cause:
     time: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Feedback:
     """A touch as the robot feels it, with what it saw of the giver.
 
@@ -55,6 +55,15 @@ class Feedback:
     def value(self) -> float:
         """Positive for a caress, negative for a tap, in [-1, 1]."""
         return self.strength if self.kind == "caress" else -self.strength
+
+    def __repr__(self) -> str:
+        attending = "attending" if self.attending else "not attending"
+        came = self.approach_began
+        how = "without a walk" if came is None else f"came from {came:.1f} s on"
+        return (
+            f"Feedback({self.giver}: {self.kind} of {self.strength:.2f} at "
+            f"{self.time:.1f} s, {attending}, mood {self.mood:+.2f}, {how})"
+        )
 
 
 def reward(touches: Iterable[Feedback]) -> float:

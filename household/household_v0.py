@@ -34,6 +34,8 @@ from household.scenario.scenario import Scenario
 # its people; everything else in this package knows only their contract.
 from policies.people import make_minds
 
+__all__ = ["env", "make_minds", "parallel_env", "raw_env"]
+
 DEFAULT_SCENARIO = "experiment_1"
 
 

@@ -3,10 +3,10 @@
 import configparser
 import importlib
 import importlib.metadata
+import os
 import subprocess
 import sys
 import tarfile
-import venv
 import zipfile
 from pathlib import Path
 
@@ -163,18 +163,53 @@ def test_what_the_wheel_holds_runs_from_an_empty_folder(unpacked, tmp_path):
     assert told.strip() == str(unpacked / "household" / "__init__.py")
 
 
+def interpreter(version):
+    """An interpreter of a version that runs here; None if there is none."""
+    installed = (Path.home() / ".pyenv" / "versions").glob(f"{version}*/bin/python")
+    for python in (f"python{version}", *map(str, sorted(installed))):
+        try:
+            done = subprocess.run([python, "-c", ""], capture_output=True, check=False)
+        except OSError:
+            continue
+        if done.returncode == 0:
+            return python
+    return None
+
+
+EVERYTHING = """
+import numpy as np
+import experiments, household, learners, policies
+from household import household_v0
+env = household_v0.parallel_env('evening', max_cycles=5)
+env.reset(seed=1)
+while env.agents:
+    env.step(dict.fromkeys(env.agents, 0))
+envs = household.vector.make('evening', homes=2, workers=1, seed=1)
+envs.reset()
+envs.step(np.zeros(envs.num_envs, int))
+envs.close()
+print('works')
+"""
+
+
 @pytest.mark.slow
-def test_the_wheel_installs_into_a_fresh_environment(wheel, tmp_path):
-    venv.create(tmp_path / "fresh", with_pip=True)
-    python = tmp_path / "fresh" / "bin" / "python"
-    subprocess.run([python, "-m", "pip", "install", "--quiet", str(wheel)], check=True)
-    code = (
-        "import experiments, household, learners, policies\n"
-        "from household import household_v0\n"
-        "household_v0.parallel_env('evening').reset(seed=1)\n"
-        "print('works')\n"
+@pytest.mark.parametrize("version", ["3.11", "3.12", "3.13"])
+def test_the_wheel_works_in_a_fresh_environment_from_an_empty_folder(
+    wheel, tmp_path, version
+):
+    python = interpreter(version)
+    if python is None:
+        pytest.skip(f"there is no Python {version} here")
+    fresh, empty = tmp_path / "fresh", tmp_path / "empty"
+    empty.mkdir()
+    subprocess.run([python, "-m", "venv", str(fresh)], check=True)
+    own = fresh / "bin" / "python"
+    subprocess.run([own, "-m", "pip", "install", "--quiet", str(wheel)], check=True)
+    path = {"PATH": os.environ["PATH"], "HOME": str(tmp_path)}
+    assert run(own, EVERYTHING, empty, **path) == "works\n"
+    command = [fresh / "bin" / "household", "--help"]
+    done = subprocess.run(
+        command, cwd=empty, env=path, capture_output=True, check=False
     )
-    assert run(python, code, tmp_path) == "works\n"
-    command = tmp_path / "fresh" / "bin" / "household"
-    done = subprocess.run([command, "--help"], capture_output=True, check=False)
     assert done.returncode == 0
+    assert list(empty.iterdir()) == []

@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from household.environment import Household
 
 PARTS = {
-    "robots set out": "simulation._move_robots",
-    "everybody walks, people touch": "simulation._walk_and_touch",
-    "heads turn": "simulation._look_around",
-    "everybody perceives": "simulation._perceive",
-    "people appraise": "simulation.people.appraise",
-    "people decide and set out": "simulation.people.decide",
-    "observations, situations, infos": "_results",
+    "robots set out": "simulation.move_robots",
+    "everybody walks, people touch": "simulation.walk_and_touch",
+    "heads turn": "simulation.turn_heads",
+    "everybody perceives": "simulation.perceive",
+    "people appraise": "simulation.appraise",
+    "people decide and set out": "simulation.decide",
+    "observations, infos": "_results",
 }
 """The parts of a step, and the methods of the environment that do them."""
 

@@ -44,7 +44,7 @@ class Measurement:
     """Of the values."""
 
     values: tuple[float, ...]
-    """One for each repetition."""
+    """One for each repetition; none if what is measured is not installed."""
 
     growth: Growth | None = None
     """Where it is plotted."""
@@ -55,14 +55,19 @@ class Measurement:
     at_least: float | None = None
     """The budget, if it is a lower bound."""
 
+    hint: str = ""
+    """How to install what is missing."""
+
     @property
-    def median(self) -> float:
-        """The middle of the repetitions."""
-        return statistics.median(self.values)
+    def median(self) -> float | None:
+        """The middle of the repetitions; None if there are none."""
+        return statistics.median(self.values) if self.values else None
 
     @property
     def holds(self) -> bool | None:
         """Whether the budget is kept; None without a budget."""
+        if self.median is None:
+            return None
         if self.at_most is not None:
             return self.median <= self.at_most
         if self.at_least is not None:
@@ -71,7 +76,7 @@ class Measurement:
 
     def plain(self) -> dict[str, Any]:
         """Returns everything as plain data, for JSON."""
-        fields = ("part", "name", "unit", "values", "at_most", "at_least")
+        fields = ("part", "name", "unit", "values", "at_most", "at_least", "hint")
         plain = {name: getattr(self, name) for name in fields}
         x = None if self.growth is None else self.growth.x
         return plain | {"x": x, "median": self.median, "holds": self.holds}
@@ -105,6 +110,9 @@ class Settings:
 
     situations: tuple[int, ...] = (500, 1_000, 2_000, 4_000, 8_000)
     """That a learner has visited."""
+
+    homes: tuple[int, ...] = (1, 8, 32, 128)
+    """That are stepped at once."""
 
     trials: int = 8
     """In a repetition, with one worker and again with two."""

@@ -7,6 +7,7 @@ import os
 import platform
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from statistics import median
 from typing import TYPE_CHECKING, Any
 
 from experiments.running.store import commit, to_json, versions, write_text, write_whole
@@ -92,8 +93,8 @@ def tables(measurements: Iterable[Measurement]) -> Group:
         rows = _grid()
         for each in found:
             name, median, least, most, budget, verdict = _cells(each)
-            bounds = f"{budget} {verdict}".strip()
-            rows.add_row(f"  {name}", median, f"{least} - {most}", bounds)
+            bounds, spread = f"{budget} {verdict}".strip(), f"{least} - {most}"
+            rows.add_row(f"  {name}", median, spread.strip(" -"), bounds)
         shown += [f"[bold]{part}[/bold]", rows]
     return Group(*shown)
 
@@ -111,6 +112,8 @@ def _grid() -> Table:
 
 
 def _cells(each: Measurement) -> tuple[str, ...]:
+    if each.median is None:
+        return each.name, "-", "", "", each.hint, ""
     bounds = (("<=", each.at_most), (">=", each.at_least))
     budget = "".join(f"{sign} {bound:g}" for sign, bound in bounds if bound is not None)
     return (
@@ -148,7 +151,9 @@ def _plot(measurements: Sequence[Measurement], path: Path) -> None:
 def _draw(ax: Axes, measurements: Sequence[Measurement]) -> None:
     growths = [each.growth for each in measurements if each.growth]
     x = [growth.x for growth in growths]
-    ax.plot(x, [each.median for each in measurements], marker="o", color="#0072b2")
+    ax.plot(
+        x, [median(each.values) for each in measurements], marker="o", color="#0072b2"
+    )
     ax.fill_between(
         x,
         [min(each.values) for each in measurements],

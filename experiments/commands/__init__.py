@@ -16,6 +16,7 @@ from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
 from experiments.commands.studying import StudyCommand
 from experiments.commands.training import Train
+from experiments.commands.warming import WarmUp
 
 
 class Command(Protocol):
@@ -35,5 +36,6 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "scenarios": Scenarios,
     "check": Check,
     "bench": Bench,
+    "warm-up": WarmUp,
 }
 """Every command that there is, in the order of `--help`."""

@@ -61,13 +61,21 @@ def measure_all(settings: Settings, out: Path) -> None:
 
 
 def _parts() -> Mapping[str, Callable[[Settings], Iterable[Measurement]]]:
-    from experiments.bench import inside, learning, processes, stepping, whole_trials
+    from experiments.bench import (
+        inside,
+        learning,
+        processes,
+        stepping,
+        vectors,
+        whole_trials,
+    )
 
     return {
         "steps beside peers": stepping.beside_peers,
         "physics": inside.physics,
         "the parts of a step": inside.parts,
         "growth": stepping.growth,
+        "many homes": vectors.many_homes,
         "recording": stepping.recording,
         "whole trials": whole_trials.beside_steps,
         "learners": learning.updates,

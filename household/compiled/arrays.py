@@ -1,6 +1,6 @@
 """Kinds of arrays, by what they hold, and how those that are recorded are made."""
 
-from typing import Any, Protocol
+from typing import Any, Protocol, get_args
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -16,6 +16,15 @@ Integers = NDArray[np.int64]
 """Of the same size on every machine, for what is stored or handed to others."""
 
 Mask = NDArray[np.bool_]
+
+
+def scalar_of(array: Any) -> type[np.generic]:  # noqa: ANN401 - a type's own type
+    """The type of the elements of an array type, as `np.float64` of `Floats`."""
+    (*_, last) = get_args(array)
+    # Before NumPy 2.5 an array's shape stands first, and `np.dtype[...]` around it.
+    kind: type[np.generic] = next(iter(get_args(last)), last)
+    return kind
+
 
 NOBODY = -1
 """In an array of indices: none of them."""

@@ -9,6 +9,7 @@ from typing import Any, Final, ParamSpec, TypeVar, cast
 
 from numba import njit
 
+from household.compiled.patience import PATIENCE
 from household.compiled.signature import (
     Sizes,
     check_of,
@@ -94,7 +95,8 @@ def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
     if hasattr(function, "compile"):  # Not with NUMBA_DISABLE_JIT.
         others = list(parameters.values())[len(first) :]
         kinds = (*map(typeof, first), *map(kind_of, others))
-        bound = partial(function.compile(kinds), *first)
+        with PATIENCE.waiting():
+            bound = partial(function.compile(kinds), *first)
     if os.environ.get(CHECKED) != "1":
         return bound
     return _checked(bound, function.__name__, parameters, first)

@@ -17,6 +17,8 @@ from numba import boolean, float64, from_dtype, intp, types
 from numba.core.errors import NumbaError
 from numba.np.numpy_support import as_dtype
 
+from household.compiled.arrays import scalar_of
+
 typeof: Callable[[object], Any] = numba.typeof
 tuple_of: Callable[..., Any] = types.BaseTuple.from_types
 """Numba's own; it is not annotated."""
@@ -163,5 +165,4 @@ def _shape(annotation: Any) -> tuple[str | int, ...]:  # noqa: ANN401
 
 def _dtype(annotation: Any) -> np.dtype[Any]:  # noqa: ANN401
     """The data type in ``Annotated[NDArray[...], ...]``."""
-    array = get_args(annotation)[0]
-    return np.dtype(get_args(get_args(array)[1])[0])
+    return np.dtype(scalar_of(get_args(annotation)[0]))

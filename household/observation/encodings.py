@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 from household.activity import Activity
 from household.compiled.arrays import Singles
 from household.compiled.jit import bind
+from household.observation.frame import CLOSE, Frame, close_of, frame_of
 from household.observation.kernel import (
     LEFT_OUT,
+    Numbering,
     View,
     write_features,
     write_situations,
@@ -68,9 +70,6 @@ def fields(n_behaviors: int) -> tuple[Field, ...]:
     )
 
 
-CLOSE = ("near", "hears")
-"""Relations to the robot that a scenario may choose, as `SituationModel` calls them."""
-
 PLACES = np.dtype([(field.name, np.int64) for field in fields(1)])
 """Where each field begins."""
 
@@ -78,19 +77,20 @@ PLACES = np.dtype([(field.name, np.int64) for field in fields(1)])
 class Features:
     """The feature encoding of a scenario.
 
+    Args:
+        scenario: The household.
+        frame: What observations have room for; None: what the scenario needs.
+
     Attributes:
         layout: Name of each field to its slice of the observation.
         space: The same for every robot.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
-        slots = {
-            "self": 1,
-            "person": scenario.slots.people or len(scenario.people),
-            "robot": (scenario.slots.robots or len(scenario.robots)) - 1,
-        }
-        left_out = {f"person_{name}" for name in CLOSE if name not in _held(scenario)}
-        table = [f for f in fields(len(scenario.behaviors)) if f.name not in left_out]
+    def __init__(self, scenario: Scenario, frame: Frame | None = None) -> None:
+        frame = frame or frame_of(scenario)
+        slots = {"self": 1, "person": frame.people, "robot": frame.robots - 1}
+        left_out = {f"person_{name}" for name in CLOSE if name not in frame.close}
+        table = [f for f in fields(len(frame.behaviors)) if f.name not in left_out]
         lengths = [slots[f.slot] * f.size for f in table]
         ends = np.cumsum(lengths).tolist()
         self.layout = {
@@ -106,14 +106,23 @@ class Features:
         self._write = bind(
             write_features,
             np.array([places], dtype=PLACES),
-            len(scenario.behaviors),
+            Numbering(frame.codes(scenario.behaviors), len(frame.behaviors)),
         )
 
     def encode(self, view: View) -> Singles:
         """Every robot's observation, a new array of shape (n_robots, length)."""
-        rows = np.zeros(self._shape, np.float32)
+        rows = np.empty(self._shape, np.float32)
         self._write(rows, view)
         return rows
+
+    def write(self, rows: Singles, view: View) -> None:
+        """Writes every robot's observation into rows that are there already.
+
+        Args:
+            rows: Shape (n_robots, length); what they held is overwritten.
+            view: What robots may know.
+        """
+        self._write(rows, view)
 
 
 class Situations:
@@ -129,7 +138,7 @@ class Situations:
             {
                 "activities": spaces.MultiDiscrete([len(Activity)] * slots),
                 "attention": spaces.MultiBinary(slots),
-                **{name: spaces.MultiBinary(slots) for name in _held(scenario)},
+                **{name: spaces.MultiBinary(slots) for name in close_of(scenario)},
             }
         )
         self._names = list(self.space.spaces)
@@ -146,12 +155,6 @@ class Situations:
             {name: arrays[name][robot] for name in self._names}
             for robot in range(len(activities))
         ]
-
-
-def _held(scenario: Scenario) -> tuple[str, ...]:
-    """Which of the relations in `CLOSE` situations hold."""
-    model = scenario.situation
-    return tuple(name for name in CLOSE if getattr(model, name) is not None)
 
 
 ENCODINGS: dict[str, type[Features] | type[Situations]] = {

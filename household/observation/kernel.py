@@ -61,10 +61,22 @@ class View(NamedTuple):
     hears: Annotated[Mask, "n_people", "n_robots"]
 
 
+class Numbering(NamedTuple):
+    """How observations number behaviors, which may be those of several households.
+
+    Attributes:
+        code: The number of each of the household's own behaviors, (n_behaviors,).
+        size: How many have a number.
+    """
+
+    code: Annotated[Indices, "n_behaviors"]
+    size: int
+
+
 @compiled
 def write_features(
     places: NDArray[np.void],
-    n_behaviors: int,
+    numbering: Numbering,
     rows: Annotated[Singles, "n_robots", "length"],
     view: View,
 ) -> None:
@@ -72,26 +84,29 @@ def write_features(
 
     Args:
         places: Where each field begins, by its name, shape (1,).
-        n_behaviors: How many behaviors the robots can choose.
-        rows: Shape (n_robots, length), holding zeros.
+        numbering: How behaviors are numbered.
+        rows: Shape (n_robots, length); what they held is overwritten.
         view: What robots may know.
     """
     n_robots = len(rows)
+    rows[:] = 0.0
     for robot in range(n_robots):
         row, at = rows[robot], places[0]
-        _write_self(row, at, view, robot)
+        _write_self(row, at, view, robot, numbering)
         for i in range(len(view.activity)):
             _write_person(row, at, view, robot, i)
         _write_close(row, at, view, robot)
         for slot in range(n_robots - 1):
-            _write_other_robot(row, at, view, robot, slot, n_behaviors)
+            _write_other_robot(row, at, view, robot, slot, numbering)
 
 
 @compiled
-def _write_self(row: Singles, at: np.void, view: View, robot: int) -> None:
+def _write_self(
+    row: Singles, at: np.void, view: View, robot: int, numbering: Numbering
+) -> None:
     """Writes the fields of the slot "self"."""
     if view.behavior[robot] >= 0:
-        row[at["own_behavior"] + view.behavior[robot]] = 1.0
+        row[at["own_behavior"] + numbering.code[view.behavior[robot]]] = 1.0
     row[at["own_time_left"]] = view.left[robot]
     row[at["own_touches"]] = view.touches[robot, 0]
     row[at["own_touches"] + 1] = view.touches[robot, 1]
@@ -129,7 +144,7 @@ def _write_close(row: Singles, at: np.void, view: View, robot: int) -> None:
 
 @compiled
 def _write_other_robot(
-    row: Singles, at: np.void, view: View, robot: int, slot: int, n_behaviors: int
+    row: Singles, at: np.void, view: View, robot: int, slot: int, numbering: Numbering
 ) -> None:
     """Writes the fields of the slot of another robot."""
     other = slot if slot < robot else slot + 1
@@ -138,7 +153,8 @@ def _write_other_robot(
     row[at["robot_offset"] + 2 * slot] = _offset(view.position, me, it, 0)
     row[at["robot_offset"] + 2 * slot + 1] = _offset(view.position, me, it, 1)
     if view.behavior[other] >= 0:
-        row[at["robot_behavior"] + n_behaviors * slot + view.behavior[other]] = 1.0
+        first = at["robot_behavior"] + numbering.size * slot
+        row[first + numbering.code[view.behavior[other]]] = 1.0
 
 
 @compiled

@@ -19,7 +19,7 @@ View = tuple[Relation, ...]
 """Pairs (relation, in which to what): what is true of one actor by itself."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Situation:
     """Who plays what, who attends to whom, who is near or hears whom.
 
@@ -128,3 +128,6 @@ class Situation:
             for one, other in sorted(getattr(self, name))
         ]
         return ", ".join(roles + pairs)
+
+    def __repr__(self) -> str:
+        return f"Situation({self})"

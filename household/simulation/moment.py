@@ -13,7 +13,7 @@ from typing import Annotated, Any, NamedTuple, get_args, get_type_hints
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from household.compiled.arrays import Floats, Integers, Mask, Singles
+from household.compiled.arrays import Floats, Integers, Mask, Singles, scalar_of
 from household.scenario.scenario import Scenario
 
 PEOPLE, ROBOTS, EVERYBODY = "people", "robots", "everybody"
@@ -125,8 +125,7 @@ def _fields() -> Mapping[str, Field]:
     fields = {}
     for name, hint in get_type_hints(Moment, include_extras=True).items():
         array, how = get_args(hint)
-        (dtype,) = get_args(get_args(array)[1])
-        fields[name] = Field(dtype, how)
+        fields[name] = Field(scalar_of(array), how)
     return MappingProxyType(fields)
 
 

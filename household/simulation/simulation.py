@@ -5,7 +5,7 @@ or rewards. The environment steps it, and evaluators and replays look at it.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
@@ -46,6 +46,14 @@ ROBOT_HEAD_SPEED = 360.0
 
 ROBOT_VIEW = math.radians(120.0) / 2
 """Half a robot's field of view [rad]."""
+
+PHASES = (
+    *("move_robots", "walk_and_touch", "turn_heads"),
+    *("perceive", "appraise", "decide"),
+)
+"""What happens in a decision period once robots have chosen, in this order. Where many
+homes are simulated, each phase goes through all of them before the next one begins: the
+processor then finds in its caches what the phase needs."""
 
 
 class Simulation(Stateful):
@@ -177,34 +185,37 @@ class Simulation(Stateful):
         )
         self.people.appear(self.crowd.position, self.half_view)
         self._look_around(np.full(len(self._head_turn), 2 * np.pi))
-        self._perceive()
+        self.perceive()
 
-    def go_on(self, choices: Mapping[int, int]) -> None:
+    def go_on(self, choices: Iterable[tuple[int, int]]) -> None:
         """Lets one decision period pass.
 
         Robots do what they chose; people walk, look around and touch; everybody
         perceives; people judge what is new to them and decide what to do next.
 
         Args:
-            choices: The behavior of each robot, by index; a robot without a choice
-                goes on with what it does.
+            choices: Pairs of a robot and its behavior, by index; a robot without a
+                choice goes on with what it does.
         """
-        for robot, behavior in choices.items():
+        self.choose(choices)
+        for phase in PHASES:
+            getattr(self, phase)()
+
+    def choose(self, choices: Iterable[tuple[int, int]]) -> None:
+        """Robots begin what they chose; then come all `PHASES`.
+
+        Args:
+            choices: As for `go_on`.
+        """
+        for robot, behavior in choices:
             self.robots.choose(robot, behavior, self.decision, self.time)
-        self._move_robots()
-        self._walk_and_touch()
-        self._set_clock(self.decision + 1)
-        self._look_around(self._head_turn)
-        self._perceive()
-        self.people.appraise(self.senses, self.robots)
-        self.people.decide(self.crowd, self.senses, self.robots, self.time)
 
     def _set_clock(self, decision: int) -> None:
         self.decision = decision
         self.time = decision * self.scenario.decision_period
         self.record[DECISION] = decision
 
-    def _move_robots(self) -> None:
+    def move_robots(self) -> None:
         """Robots move as their behaviors have it; who is done stands still."""
         n_people, now = self._n_people, self.time
         for robot, bout in enumerate(self.robots.bouts):
@@ -215,8 +226,8 @@ class Simulation(Stateful):
             mover.begins, mover.now = bout.decision == self.decision, now
             self._motions[bout.behavior](mover, self.crowd)
 
-    def _walk_and_touch(self) -> None:
-        """People walk where they intended to and touch robots that they reach."""
+    def walk_and_touch(self) -> None:
+        """People walk and touch robots that they reach, until the period is over."""
         self.robots.forget_touches()
         moment = 0
         while moment < self._moments:
@@ -226,6 +237,11 @@ class Simulation(Stateful):
             at_hand = self.people.wishes_at_hand(self.crowd, self.senses)
             for i, wish in at_hand.items():
                 self._touch(i, wish, now)
+        self._set_clock(self.decision + 1)
+
+    def turn_heads(self) -> None:
+        """Everybody turns its head as far as it gets in a period."""
+        self._look_around(self._head_turn)
 
     def _touch(self, i: int, wish: Wish, now: float) -> None:
         """A person touches a robot, which feels it and sees who it was."""
@@ -249,7 +265,7 @@ class Simulation(Stateful):
         look, focus = self.people.look, self.people.appearance.focus
         self.crowd.turn_heads(look, focus, most)
 
-    def _perceive(self) -> None:
+    def perceive(self) -> None:
         """Everybody sees, hears and attends; robots read moods off faces."""
         since = self.time - self.scenario.decision_period
         changed = self.people.appear(self.crowd.position, self.half_view)
@@ -260,6 +276,14 @@ class Simulation(Stateful):
         )
         self.revision += changed
         self._misread(self._noise.next())
+
+    def appraise(self) -> None:
+        """People judge what is new to them."""
+        self.people.appraise(self.senses, self.robots)
+
+    def decide(self) -> None:
+        """People decide what to do next, and set out."""
+        self.people.decide(self.crowd, self.senses, self.robots, self.time)
 
     def _view(self) -> View:
         """What robots may know; made once, as all arrays stay the same."""

@@ -22,7 +22,13 @@ from household import household_v0
 from household.config.toml import shipped
 from household.errors import HouseholdError
 
-ALLOWED_INFOS = {"situation", "feedback", "caresses", "taps"}
+INFOS = {
+    "caresses": int,
+    "taps": int,
+    "behavior_over": bool,
+    "attended": bool,
+    "action_mask": np.ndarray,
+}
 CYCLES = 12
 
 # A dictionary is neither an array nor a box; PettingZoo says so, and it is meant.
@@ -147,15 +153,82 @@ def test_the_state_is_a_flat_float32_vector_in_its_space_even_after_the_end(make
     assert exact(env.state(), env.state_space)
 
 
-def test_infos_are_empty_at_reset_and_hold_the_allow_list_after_a_step(make):
+def test_infos_are_numbers_and_arrays_of_one_size_from_the_reset_on(make):
     env = make()
     observations, infos = env.reset(seed=1)
-    assert infos == {agent: {} for agent in env.possible_agents}
     assert list(observations) == env.possible_agents
     for _ in range(CYCLES):
-        *_, infos = env.step(dict.fromkeys(env.agents, 0))
         assert list(infos) == env.possible_agents
-        assert all(set(info) == ALLOWED_INFOS for info in infos.values())
+        for agent, info in infos.items():
+            assert {name: type(value) for name, value in info.items()} == INFOS
+            assert info["action_mask"].shape == (len(env.behaviors),)
+            assert info["action_mask"].dtype == np.int8
+            assert info["behavior_over"] is env.behavior_over(agent)
+            assert info["attended"] is env.attended(agent)
+            touches = env.feedback(agent)
+            assert info["caresses"] == sum(t.kind == "caress" for t in touches)
+            assert info["taps"] == sum(t.kind == "tap" for t in touches)
+        *_, infos = env.step(dict.fromkeys(env.agents, 0))
+
+
+def test_a_choice_is_due_when_a_behavior_is_over_and_else_it_goes_on_or_is_broken_off():
+    env = household_v0.parallel_env("evening")
+    _, infos = env.reset(seed=1)
+    play, hello = map(env.behaviors.index, ("play", "say_hello"))
+    every = [1] * len(env.behaviors)
+    assert infos["robot_0"]["action_mask"].tolist() == every
+    env.step({"robot_0": play})
+    began = env.behavior("robot_0")
+    *_, infos = env.step({"robot_0": play})
+    assert env.behavior("robot_0") == began
+    assert np.flatnonzero(infos["robot_0"]["action_mask"]).tolist() == [play]
+    env.step({})
+    assert env.behavior("robot_0") == began
+    env.step({"robot_0": hello})
+    assert env.behavior("robot_0").behavior == hello
+    while not infos["robot_0"]["behavior_over"]:
+        *_, infos = env.step({"robot_0": hello})
+    assert env.behavior("robot_0").began == 3.0
+    assert infos["robot_0"]["action_mask"].tolist() == every
+    env.step({"robot_0": hello})
+    assert env.behavior("robot_0").began == env.time - 1.0
+
+
+def test_each_robot_draws_actions_of_its_own_from_the_same_seed():
+    drawn = []
+    for _ in range(2):
+        env = household_v0.parallel_env("evening")
+        one, other = (env.action_space(agent) for agent in env.possible_agents)
+        assert one is not other
+        assert one == other == spaces.Discrete(len(env.behaviors))
+        for space in (one, other):
+            space.seed(7)
+        drawn.append([[int(s.sample()) for _ in range(20)] for s in (one, other)])
+    assert drawn[0] == drawn[1]
+    assert drawn[0][0] != drawn[0][1]
+    plain = spaces.Discrete(len(env.behaviors), seed=7)
+    assert drawn[0][0] == [int(plain.sample()) for _ in range(20)]
+    again = pickle.loads(pickle.dumps(other))
+    assert [again.sample() for _ in range(9)] == [other.sample() for _ in range(9)]
+
+
+def test_an_environment_a_situation_and_a_touch_say_what_they_are():
+    env = household_v0.parallel_env("evening", max_cycles=200)
+    about = "Household('evening': 4 people, 2 robots, 8 behaviors; "
+    assert repr(env) == about + "not yet reset)"
+    env.reset(seed=1)
+    touches = ()
+    while not touches:
+        env.step({"robot_0": env.behaviors.index("bark")})
+        touches = env.feedback("robot_0")
+    assert repr(env) == about + f"step {env.decision} of 200)"
+    situation = env.situation("robot_0")
+    assert repr(situation) == f"Situation({situation})"
+    touch = touches[0]
+    assert repr(touch).startswith(
+        f"Feedback({touch.giver}: tap of {touch.strength:.2f} at "
+    )
+    assert "\n" not in repr(touch)
 
 
 def test_every_step_delivers_exact_types_and_the_last_one_ends_for_all(make):
@@ -226,8 +299,11 @@ def test_two_environments_that_were_never_seeded_differ(shipped_scenario):
 
 def test_returned_arrays_are_neither_reused_nor_shared(make, same):
     env = make()
-    observations, _ = env.reset(seed=1)
-    kept = {agent: arrays(observations[agent]) for agent in env.possible_agents}
+    observations, infos = env.reset(seed=1)
+    kept = {
+        agent: [*arrays(observations[agent]), infos[agent]["action_mask"]]
+        for agent in env.possible_agents
+    }
     copies = {agent: [a.copy() for a in kept[agent]] for agent in kept}
     state, state_copy = env.state(), env.state().copy()
     env.step(dict.fromkeys(env.agents, 0))
@@ -252,7 +328,7 @@ def test_writing_into_what_was_returned_changes_nothing(make, same):
         given = other.step(dict.fromkeys(other.agents, 0))
         assert same(given, expected)
         for agent in other.possible_agents:
-            for array in arrays(given[0][agent]):
+            for array in (*arrays(given[0][agent]), given[4][agent]["action_mask"]):
                 array[...] = 0
             given[4][agent].clear()
         other.state()[...] = 0

@@ -66,7 +66,10 @@ def lived(env, seed, steps):
         actions = {a: int(rng.integers(len(env.behaviors))) for a in env.agents}
         observations, *results, infos = env.step(actions if rng.random() < 0.3 else {})
         seen.append([o.tobytes() for o in observations.values()])
-        seen += [results, infos, env.state().tobytes()]
+        told = [list(info.values()) for info in infos.values()]
+        seen += [results, [np.hstack(each).tolist() for each in told]]
+        seen += [[env.feedback(agent) for agent in env.possible_agents]]
+        seen.append(env.state().tobytes())
         seen.append(env.simulation.crowd.position.tobytes())
     return seen
 

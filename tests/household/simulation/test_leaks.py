@@ -65,7 +65,7 @@ def first_moments(scenario, seed=3):
             parts = seen.values() if isinstance(seen, dict) else [seen]
             told += [part.tobytes() for part in parts]
             told.append(env.situation(agent))
-            told.append(infos[agent])
+            told.append(np.hstack(list(infos[agent].values())).tolist())
     return told
 
 
@@ -148,7 +148,9 @@ def test_only_open_things_can_be_reached_from_what_a_learner_gets(
         answers = env.reset(seed=2)
         actions = random_actions(env, 1)
         while True:
-            for thing in things_in(answers):
+            agents = env.possible_agents
+            asked = [(env.situation(agent), env.feedback(agent)) for agent in agents]
+            for thing in things_in((answers, *asked)):
                 assert is_open(thing), thing
                 felt += isinstance(thing, Feedback)
             if not env.agents:

@@ -48,7 +48,7 @@ def barked_at(household_of):
         felt = []
         for step in range(steps):
             _, rewards, _, _, infos = env.step({"robot_0": SLEEP if step else BARK})
-            touches = infos["robot_0"]["feedback"]
+            touches = env.feedback("robot_0")
             assert rewards["robot_0"] == sum(touch.value for touch in touches)
             assert infos["robot_0"]["taps"] + infos["robot_0"]["caresses"] == len(
                 touches

@@ -1,0 +1,285 @@
+"""The vector environment: every robot of every home is a slot."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+from numpy.typing import NDArray
+
+from household.compiled.arrays import Floats, Integers, Mask, Singles
+from household.errors import HouseholdError, shown
+from household.household_v0 import make_minds as usual_minds
+from household.observation.encodings import Features
+from household.observation.frame import common_frame
+from household.observation.notices import Notices
+from household.people.people import MakeMinds
+from household.scenario.scenario import Scenario
+from household.scenario.validation import load_scenario
+from household.vector.buffers import GO_ON, Size, Told, buffers_in
+from household.vector.homes import Plan, Share
+from household.vector.seeds import checked_seeds, home_seeds
+from household.vector.worker import BEGIN, STEP
+from household.vector.workers import Workers
+
+AnyScenario = str | Path | Scenario
+Keep = Callable[[NDArray[Any]], NDArray[Any]]
+
+MASKS = tuple(f"_{name}" for name in Notices._fields)
+"""Keys of infos that say whose the others are."""
+
+Results = tuple[Singles, Floats, Mask, Mask, dict[str, Any]]
+"""Observations, rewards, terminations, truncations and infos, by slot."""
+
+
+def make(
+    scenario: AnyScenario | Sequence[AnyScenario],
+    homes: int | None = None,
+    workers: int = 0,
+    seed: int | None = None,
+    *,
+    make_minds: MakeMinds = usual_minds,
+    copy: bool = True,
+    **overrides: Any,  # noqa: ANN401 - checked against the scenario's fields
+) -> "VectorHousehold":
+    """Many homes as one Gymnasium vector environment, in which every robot is a slot.
+
+    Args:
+        scenario: A built-in name, a path to a TOML file, or a scenario; or several, one
+            for each home, also of different families.
+        homes: How many homes; if there are more of them than scenarios, these are taken
+            in turn. None: as many as scenarios.
+        workers: Processes that step homes beside this one, which steps as many.
+        seed: Draws the seeds of the homes.
+        make_minds: Gives the people their minds.
+        copy: Whether what `step` and `reset` return is the caller's to keep. If not, it
+            is overwritten by the next step.
+        **overrides: Top-level fields to replace in all scenarios.
+
+    Raises:
+        HouseholdError: If an argument cannot be used.
+    """
+    several = [scenario] if isinstance(scenario, str | Path | Scenario) else scenario
+    if not several:
+        raise HouseholdError("scenario: none; allowed: one or more")
+    n = len(several) if homes is None else homes
+    for name, number, least in (("homes", n, 1), ("workers", workers, 0)):
+        if not isinstance(number, int) or number < least:
+            raise HouseholdError(
+                f"{name}: {shown(number)}; allowed: whole numbers from {least} up"
+            )
+    loaded = [load_scenario(each, **overrides) for each in several[:n]]
+    scenarios = tuple(loaded[home % len(loaded)] for home in range(n))
+    plan = Plan(scenarios, make_minds, common_frame(scenarios))
+    return VectorHousehold(plan, workers=workers, seed=seed, copy=copy)
+
+
+class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
+    """Many homes at once; see `make`.
+
+    A home whose episode is over begins the next one in the same step: observations and
+    infos are already of the new episode, and those of its end are in
+    ``infos["final_obs"]`` and ``infos["final_info"]``. Nobody is ever terminated; the
+    robots of a home are truncated together.
+
+    A home lives through the same history as `household_v0.parallel_env` with its
+    scenario and its seed. If homes differ in size, observations have room for the
+    largest, and the rest of them is 0. If robots of some homes can do what those of
+    others cannot, actions are numbered through: see `behaviors` and
+    ``infos["action_mask"]``; who cannot do what it is told goes on with what it does.
+
+    Attributes:
+        behaviors: What the actions mean, in order.
+        layout: Name of each field to its slice of an observation.
+        scenarios: Of each home.
+        home: Index of the home of each slot, shape (num_envs,).
+        agents: Name of the robot in each slot, unique in its home.
+        seeds: With which the homes' present histories began.
+    """
+
+    metadata: ClassVar[dict[str, Any]] = {  # type: ignore[misc]
+        "name": "household_v0",
+        "render_modes": [],
+        "autoreset_mode": AutoresetMode.SAME_STEP,
+    }
+
+    def __init__(
+        self, plan: Plan, *, workers: int, seed: int | None, copy: bool
+    ) -> None:
+        n_homes = len(plan.scenarios)
+        self._kept: Keep = np.ndarray.copy if copy else _as_it_is
+        self.seeds = home_seeds(seed, n_homes)
+        self.scenarios, self.behaviors = plan.scenarios, plan.frame.behaviors
+        of_homes = [scenario.robot_names for scenario in plan.scenarios]
+        self.agents = tuple(name for names in of_homes for name in names)
+        self.home = np.repeat(np.arange(n_homes), [len(names) for names in of_homes])
+        self.num_envs = len(self.agents)
+        features = Features(plan.scenarios[0], plan.frame)
+        self.layout = features.layout
+        self.single_observation_space = features.space
+        self.single_action_space = spaces.Discrete(len(self.behaviors))
+        self.observation_space = batch_space(features.space, self.num_envs)
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self._begun = False
+        self._shape, self._most = (self.num_envs,), len(self.behaviors) - 1
+        length = features.space.shape[0]
+        size = Size(n_homes, self.num_envs, length, len(self.behaviors))
+        mine, *others = _shares(n_homes, workers)
+        self._workers = Workers(len(others), size)
+        self._buffers = buffers_in(self._workers.record)
+        try:
+            # First here: what is compiled for that, the others find on disk.
+            self._mine = Share(plan, mine, self._buffers)
+            self._workers.hand_out(plan, others)
+        except BaseException:
+            self.close()
+            raise
+        self._nobody = np.zeros(self.num_envs, np.bool_)
+        self._everybody = ~self._nobody
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Singles, dict[str, Any]]:
+        """Begins an episode in all homes.
+
+        Args:
+            seed: Draws a seed for each home, or gives it. None: the homes go on with
+                their histories, or begin those of the seed with which this was made.
+            options: Must be empty.
+
+        Returns:
+            Observations, shape (num_envs, length), and infos.
+
+        Raises:
+            HouseholdError: If there are options or the seeds cannot be used.
+        """
+        if options:
+            raise HouseholdError(f"options: {shown(options)}; allowed: none")
+        seeds = checked_seeds(seed, len(self.scenarios))
+        if seeds is None and not self._begun:
+            seeds = self.seeds
+        if seeds is not None:
+            self.seeds = seeds
+        self._buffers.seeds[:] = GO_ON if seeds is None else seeds
+        self._together(BEGIN)
+        self._begun = True
+        now, kept = self._buffers.now, self._kept
+        return kept(now.observations), _infos(now.notices, self._everybody, kept)
+
+    def step(self, actions: NDArray[Any]) -> Results:
+        """Lets one decision period pass in all homes.
+
+        An action that repeats what a robot does goes on with it until it is over, and
+        another one interrupts it. What may be chosen without an interruption is in
+        ``infos["action_mask"]``.
+
+        Args:
+            actions: Of each slot, shape (num_envs,).
+
+        Returns:
+            Observations, shape (num_envs, length); rewards, terminations and
+            truncations, shape (num_envs,); and infos: the fields of
+            `household.observation.notices.Notices`, each with a mask.
+
+        Raises:
+            HouseholdError: Before the first reset, after `close`, or if actions are
+                none.
+            WorkerError: If a worker failed; all are ended then.
+        """
+        if not self._begun:
+            raise HouseholdError("nobody is at home yet: call reset() first")
+        self._buffers.actions[:] = self._checked(actions)
+        self._together(STEP)
+        buffers, kept = self._buffers, self._kept
+        infos = _infos(buffers.now.notices, self._everybody, kept)
+        if True in buffers.truncations.tolist():
+            infos |= _final(buffers.final, buffers.truncations.copy())
+        return (
+            kept(buffers.now.observations),
+            kept(buffers.rewards),
+            self._nobody.copy(),
+            kept(buffers.truncations),
+            infos,
+        )
+
+    def close_extras(self, **_kwargs: object) -> None:
+        """Ends the workers."""
+        self._workers.end()
+
+    def _together(self, word: bytes) -> None:
+        """All processes do something at the same time."""
+        if self.closed:
+            raise HouseholdError("these homes are closed")
+        try:
+            self._workers.set_to(word)
+            (self._mine.step if word == STEP else self._mine.begin)()
+            self._workers.wait()
+        except BaseException:  # Ctrl-C, too: homes are no longer at the same moment.
+            self.close()
+            raise
+
+    def _checked(self, actions: object) -> Integers:
+        chosen = np.asarray(actions)
+        shape, most = self._shape, self._most
+        if chosen.shape != shape or chosen.dtype.kind not in "iu":
+            raise HouseholdError(
+                f"actions: {chosen.dtype} of shape {chosen.shape}; "
+                f"allowed: whole numbers of shape {shape}"
+            )
+        listed = chosen.tolist()
+        if min(listed) < 0 or max(listed) > most:
+            slot = next(i for i, one in enumerate(listed) if not 0 <= one <= most)
+            raise HouseholdError(
+                f"slot {slot}: action {listed[slot]} is none of the behaviors; "
+                f"allowed: 0 to {most}"
+            )
+        return chosen
+
+    def __repr__(self) -> str:
+        kinds = dict.fromkeys(scenario.name for scenario in self.scenarios)
+        named = ", ".join(kinds) if len(kinds) <= 3 else f"{len(kinds)} households"
+        homes, robots = len(self.scenarios), self.num_envs
+        return f"VectorHousehold({named}: {homes} homes, {robots} robots)"
+
+
+def _shares(homes: int, workers: int) -> list[list[int]]:
+    """The homes of this process and of each worker, as many in each, none empty."""
+    parts = np.array_split(np.arange(homes), min(workers + 1, homes))
+    return [part.tolist() for part in parts]
+
+
+def _as_it_is(array: NDArray[Any]) -> NDArray[Any]:
+    return array
+
+
+def _infos(notices: Notices, whose: Mask, kept: Keep) -> dict[str, Any]:
+    """Infos as Gymnasium has them: an array for each key, and whose it is."""
+    mask, infos = whose.copy(), {}
+    for name, its_mask, array in zip(Notices._fields, MASKS, notices, strict=True):
+        infos[name], infos[its_mask] = kept(array), mask
+    return infos
+
+
+def _final(told: Told, over: Mask) -> dict[str, Any]:
+    """Observations and infos of the episodes that are over."""
+    observations = np.full(len(over), None, dtype=object)
+    for slot in np.flatnonzero(over):
+        observations[slot] = told.observations[slot].copy()
+
+    def of_those(array: NDArray[Any]) -> NDArray[Any]:
+        final = np.zeros_like(array)
+        final[over] = array[over]
+        return final
+
+    return {
+        "final_obs": observations,
+        "_final_obs": over,
+        "final_info": _infos(told.notices, over, of_those),
+        "_final_info": over,
+    }
