@@ -91,19 +91,14 @@ class Check:
         faults = check_file(self.file)
         if not faults:
             line = f"{self.file}: correct; {size_of_file(self.file)}."
-            new_console().print(line, markup=False)
+            new_console().print(line)
         return faults
 
     def _faults_of_suite(self) -> Sequence[str]:
         from experiments.running.engine import open_engine
+        from experiments.running.files import make_directory, to_json, write_text
         from experiments.running.progress import progress
-        from experiments.running.store import (
-            commit,
-            make_directory,
-            to_json,
-            versions,
-            write_text,
-        )
+        from experiments.running.store import commit, versions
         from experiments.scoring.suite import check_suite, shipped_families
 
         if self.households < 2:
