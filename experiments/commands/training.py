@@ -107,6 +107,9 @@ class Train:
             f"{len(frame)} history entries, {(values > 0).sum()} caresses, "
             f"{(values < 0).sum()} taps, cumulative reward {final_reward(frame):.1f}."
         )
-        console.print(f"replay: household replay {self.out / 'replay.rrd'}")
-        console.print(f"learners: {self.out}/robot_*.json")
-        console.print(f"table of the trial: {self.out / 'trial.parquet'}")
+        for line in (
+            f"replay: household replay {self.out / 'replay.rrd'}",
+            f"learners: {self.out}/robot_*.json",
+            f"table of the trial: {self.out / 'trial.parquet'}",
+        ):
+            console.print(line, soft_wrap=True)

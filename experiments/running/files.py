@@ -19,6 +19,8 @@ def make_directory(directory: Path) -> None:
     Raises:
         ExperimentError: If there is a file in the way, or it cannot be written to.
     """
+    from household.errors import shown_path
+
     try:
         directory.mkdir(parents=True, exist_ok=True)
         probe = directory / f".writable.{os.getpid()}"
@@ -26,11 +28,12 @@ def make_directory(directory: Path) -> None:
         probe.unlink()
     except (FileExistsError, NotADirectoryError) as error:
         raise ExperimentError(
-            f"--out {directory}: is a file, must be a directory (existing or new)."
+            f"--out {shown_path(directory)}: is a file, must be a directory (existing "
+            "or new)."
         ) from error
     except OSError as error:
         raise ExperimentError(
-            f"--out {directory}: cannot be written to ({error.strerror})."
+            f"--out {shown_path(directory)}: cannot be written to ({error.strerror})."
         ) from error
 
 

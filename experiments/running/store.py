@@ -128,7 +128,7 @@ class Results:
         path = self.file(trial)
         if not path.exists():
             return f"{path}: missing"
-        fault = fault_of(path, self._identity(trial))
+        fault = fault_of(path, self.identity(trial))
         return fault and f"{path}: {fault}"
 
     def missing(self, trials: Iterable[Trial]) -> tuple[Trial, ...]:
@@ -142,12 +142,13 @@ class Results:
             ExperimentError: If the disk is full.
         """
         path = self.file(trial)
-        content = encoded(frame, self._identity(trial))
+        content = encoded(frame, self.identity(trial))
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, lambda temporary: temporary.write_bytes(content))
         self._error_file(trial).unlink(missing_ok=True)
 
-    def _identity(self, trial: Trial) -> Identity:
+    def identity(self, trial: Trial) -> Identity:
+        """Returns what a trial's file says it is."""
         study, configuration = self._known
         return Identity(
             study=study,
@@ -213,7 +214,7 @@ class Results:
     def _read(self, trial: Trial, columns: Sequence[str]) -> polars.DataFrame:
         """Returns a trial's table, which has these columns and perhaps others."""
         path = self.file(trial)
-        table = decoded(path, self._identity(trial))
+        table = decoded(path, self.identity(trial))
         lacking = [name for name in columns if name not in table.columns]
         if lacking:
             raise ExperimentError(f"{path}: has no column {lacking[0]!r}. Delete it.")
