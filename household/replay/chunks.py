@@ -45,7 +45,15 @@ def read_tables(path: Path) -> dict[str, Table]:
     with _whole_part(path) as whole:
         for entity, table in _pieces(whole, path):
             parts.setdefault(entity, []).append(table)
-    return {entity: _merged(tables) for entity, tables in parts.items()}
+    try:
+        return {entity: _merged(tables) for entity, tables in parts.items()}
+    except (ValueError, KeyError, IndexError, TypeError) as error:
+        raise _unreadable(path, error) from None
+
+
+def _unreadable(path: Path, error: Exception) -> HouseholdError:
+    reason = (str(error).splitlines() or [""])[0]
+    return HouseholdError(f"{shown_path(path)}: damaged ({shown_path(reason)})")
 
 
 def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
@@ -60,10 +68,11 @@ def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
                 if entity == "__properties/household" or (
                     not chunk.is_static and _is_exact(entity)
                 ):
-                    yield entity, _table(chunk.to_record_batch())
+                    batch = chunk.to_record_batch()
+                    batch.validate(full=True)  # Else forged lengths lead astray.
+                    yield entity, _table(batch)
         except (RuntimeError, ValueError, KeyError, TypeError) as error:
-            reason = (str(error).splitlines() or [""])[0].replace(str(whole), str(path))
-            raise HouseholdError(f"{shown_path(path)}: {shown_path(reason)}") from None
+            raise _unreadable(path, error) from None
 
 
 def _is_exact(entity: str) -> bool:

@@ -6,6 +6,7 @@ from urllib.parse import quote
 
 from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
+from household.replay.probing import check_readable
 from household.replay.process import LOOPBACK, address, free_ports, start_viewer
 from household.replay.reading import Replay, read_replay
 from household.simulation.snapshot import Snapshot
@@ -74,7 +75,7 @@ def view(
     Raises:
         HouseholdError: If the file is no replay or the viewer does not run.
     """
-    read_replay(path)
+    check_readable(path)
     page, data = free_ports(2)
     arguments = [f"--port={data}", str(path)]
     if web:
@@ -105,6 +106,7 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
     Raises:
         HouseholdError: If there is no such moment, or the extra ``render`` is missing.
     """
+    check_readable(path)
     replay = read_replay(path)
     last = int(replay.moments.decision[-1])
     chosen = last if decision is None else decision
@@ -136,6 +138,7 @@ def write_video(
     Raises:
         HouseholdError: If the extra ``render`` is missing.
     """
+    check_readable(path)
     replay = read_replay(path)
     try:
         from imageio_ffmpeg import write_frames

@@ -1,19 +1,22 @@
 """Replay files from anywhere: read as far as they go, or refused in one line."""
 
 import struct
+import subprocess
+import sys
+from collections import Counter
 
 import numpy as np
 import pytest
 
 from household import household_v0
 from household.errors import HouseholdError
-from household.replay import RecordEpisodes, chunks
+from household.replay import RecordEpisodes, chunks, probing
 from household.replay.reading import read_replay
-from household.replay.viewer import choose, recordings
+from household.replay.viewer import choose, recordings, view, write_png
 
 DECISIONS = 40
 
-LEAST = 30_000
+LEAST = 45_000
 """The home, who lives there and the first moment take about so much [bytes]."""
 
 
@@ -94,24 +97,68 @@ def forged(whole, rng):
     return bytes(data)
 
 
-def try_forged(whole, read, n):
-    """Returns how many forged files were read and how many refused."""
-    rng, counts = np.random.default_rng(7), [0, 0]
-    for _ in range(n):
-        counts[read(forged(whole, rng)) is None] += 1
-    return counts
+READER = """
+import sys
+from household.errors import HouseholdError
+from household.replay.reading import read_replay
+for path in sys.argv[1:]:
+    try:
+        read_replay(path)
+        print("read", flush=True)
+    except HouseholdError as error:
+        good = str(error).startswith(path) and str(error).isprintable()
+        print("refused" if good else repr(error), flush=True)
+"""
 
 
-def test_a_forged_file_is_read_or_refused_in_one_line(whole, read):
-    _, refused = try_forged(whole, read, 25)
-    assert refused > 0
+def try_all(paths):
+    """What came of each: read, refused, or "ended" where Rerun ended its process."""
+    came = []
+    while len(came) < len(paths):
+        command = [sys.executable, "-c", READER, *map(str, paths[len(came) :])]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        came += done.stdout.splitlines()
+        if done.returncode != 0:
+            assert done.returncode < 0, done.stderr  # no traceback of ours
+            came.append("ended")
+    return Counter(came)
+
+
+def write_forged(whole, folder, n):
+    rng, paths = np.random.default_rng(7), []
+    for i in range(n):
+        paths.append(folder / f"forged_{i}.rrd")
+        paths[-1].write_bytes(forged(whole, rng))
+    return paths
+
+
+def test_a_forged_file_is_read_or_refused_in_one_line(whole, tmp_path):
+    came = try_all(write_forged(whole, tmp_path, 25))
+    assert set(came) <= {"read", "refused", "ended"}
+    assert came["refused"] > 0
 
 
 @pytest.mark.slow
-def test_many_forged_files_are_read_or_refused_in_one_line(whole, read):
-    read_, refused = try_forged(whole, read, 600)
-    print(f"\nforged recordings: {read_} read, {refused} refused")
-    assert refused > 50
+def test_many_forged_files_are_read_or_refused_in_one_line(whole, tmp_path):
+    came = try_all(write_forged(whole, tmp_path, 1000))
+    print(f"\nforged recordings: {dict(came)}")
+    assert set(came) <= {"read", "refused", "ended"}
+    assert came["refused"] > 100
+
+
+def test_a_file_that_ends_its_reader_is_refused_in_one_line(tmp_path, monkeypatch):
+    """As Rerun's reader does where it panics; it is another process that ends."""
+    monkeypatch.setattr(probing, "_READ", "import os; os.abort()")
+    with pytest.raises(HouseholdError, match=r"a\.rrd: damaged; Rerun cannot read it"):
+        probing.check_readable(tmp_path / "a.rrd")
+
+
+@pytest.mark.parametrize("show", [view, lambda path: write_png(path, "no.png")])
+def test_a_file_is_tried_out_in_another_process_first(tmp_path, show):
+    path = tmp_path / "a.rrd"
+    path.write_bytes(b"x" * 1000)
+    with pytest.raises(HouseholdError, match=r"a\.rrd: "):
+        show(path)
 
 
 def test_a_message_that_says_it_is_endless_ends_the_file(whole, read):
