@@ -76,6 +76,7 @@ class Recorder:
         # First what is read back, so that no file that a kill cuts off is empty.
         self._stream.describe(scenario=text.decode())
         send_state(self._stream, self._buffer.held())
+        self._stream.flush()  # Else Rerun writes it where it likes.
         self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
         send_scenery(self._stream, scenario, learns)
         self._stream.flush()

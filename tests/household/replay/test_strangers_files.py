@@ -16,7 +16,7 @@ from household.replay.viewer import choose, recordings, view, write_png
 
 DECISIONS = 40
 
-LEAST = 45_000
+LEAST = 20_000
 """The home, who lives there and the first moment take about so much [bytes]."""
 
 
