@@ -24,6 +24,9 @@ Begin with: household reproduce --out runs/paper"""
 
 WRONG_INPUT, INTERRUPTED = 2, 130
 
+LONGEST = 2000
+"""So much of a message is shown [characters]."""
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command.
@@ -89,6 +92,9 @@ def _is_users(error: Exception) -> bool:
 
 
 def _one_line(error: Exception) -> str:
+    from household.errors import shown_path
+
     if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename or 'file'}: {error.strerror}."
-    return " ".join(str(error).split())
+        return f"{shown_path(error.filename or 'file')}: {error.strerror}."
+    text = " ".join(str(error).split())
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

@@ -10,7 +10,8 @@ from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
-from experiments.running.store import commit, to_json, versions, write_text, write_whole
+from experiments.running.files import to_json, write_text, write_whole
+from experiments.running.store import commit, versions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,6 +86,7 @@ def _by_part(measurements: Iterable[Measurement]) -> dict[str, list[Measurement]
 def tables(measurements: Iterable[Measurement]) -> Group:
     """Returns all measurements, a table for each part; 80 columns are enough."""
     from rich.console import Group
+    from rich.text import Text
 
     head = _grid()
     head.add_row("", "median", "least - most", "budget", style="italic")
@@ -95,7 +97,7 @@ def tables(measurements: Iterable[Measurement]) -> Group:
             name, median, least, most, budget, verdict = _cells(each)
             bounds, spread = f"{budget} {verdict}".strip(), f"{least} - {most}"
             rows.add_row(f"  {name}", median, spread.strip(" -"), bounds)
-        shown += [f"[bold]{part}[/bold]", rows]
+        shown += [Text(part, style="bold"), rows]
     return Group(*shown)
 
 

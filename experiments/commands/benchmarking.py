@@ -33,7 +33,7 @@ class Bench:
     def run(self) -> None:
         """Measures everything, writes it down and shows it."""
         from experiments.bench.measurement import Settings
-        from experiments.running.store import make_directory
+        from experiments.running.files import make_directory
 
         for name in ("repetitions", "steps"):
             if getattr(self, name) < 1:

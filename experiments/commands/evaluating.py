@@ -45,14 +45,9 @@ class Evaluate:
     def run(self) -> None:
         """Scores the policy, writes evaluation.json and shows a table per family."""
         from experiments.running.engine import open_engine
+        from experiments.running.files import make_directory, to_json, write_text
         from experiments.running.progress import progress
-        from experiments.running.store import (
-            commit,
-            make_directory,
-            to_json,
-            versions,
-            write_text,
-        )
+        from experiments.running.store import commit, versions
         from experiments.scoring.evaluate import evaluate, families_of
         from experiments.scoring.policies import specification
 

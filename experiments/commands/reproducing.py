@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from experiments.paper import Experiment
+    from experiments.running.engine import Engine
     from experiments.running.study import Study
 
 
@@ -56,11 +57,16 @@ class Reproduce:
         """Runs what is missing, then publishes."""
         from experiments.report.publish import publish
         from experiments.report.terminal import show
+        from experiments.running.engine import open_engine
+        from experiments.running.lock import alone_in
 
         console = new_console()
-        self._run_missing(console, self._chosen())
-        with console.status("Drawing figures, recording replays, writing the report"):
-            published = publish(self.out)
+        studies = self._studies(self._chosen())
+        engine = open_engine(self.engine, self.workers)
+        with alone_in(self.out):
+            self._run_missing(console, studies, engine)
+            with console.status("Drawing figures, writing the report, recording"):
+                published = publish(self.out)
         show(console, published)
 
     def _chosen(self) -> tuple[Experiment, ...]:
@@ -98,14 +104,11 @@ class Reproduce:
         return studies
 
     def _run_missing(
-        self, console: Console, experiments: tuple[Experiment, ...]
+        self, console: Console, studies: Sequence[Study], engine: Engine
     ) -> None:
-        from experiments.running.engine import open_engine
         from experiments.running.jobs import prepare, run
         from experiments.running.progress import progress
 
-        engine = open_engine(self.engine, self.workers)
-        studies = self._studies(experiments)
         jobs = prepare(studies, self.out)
         total = sum(len(study.trials()) for study in studies)
         stored = f"{total - len(jobs)} of {total} trials are stored already."
@@ -132,11 +135,17 @@ class Report:
         """Publishes what is stored."""
         from experiments.report.publish import publish
         from experiments.report.terminal import show
+        from experiments.running.lock import alone_in
 
-        show(new_console(), publish(self.directory))
+        if not self.directory.is_dir():
+            raise ExperimentError(f"{self.directory}: nothing to report, no directory.")
+        with alone_in(self.directory):
+            published = publish(self.directory)
+        show(new_console(), published)
 
 
 def _number(word: str, kind: str, allowed: Iterable[int]) -> int:
-    if not word.isdecimal():
+    named = {str(each): each for each in allowed}
+    if word not in named:
         raise unknown(kind, word, allowed)
-    return int(word)
+    return named[word]

@@ -57,8 +57,9 @@ class Scenarios:
 class Check:
     """Check a file of ours and point at every fault in it, or check the suite."""
 
-    file: Annotated[Positional[str], arg(metavar="[FILE.toml]")] = ""
-    """A scenario, a home, a persona or a family: a TOML file, or a shipped name."""
+    file: Annotated[Positional[str], arg(metavar="[FILE.toml|DIR]")] = ""
+    """A scenario, a home, a persona or a family: a TOML file, or a shipped name; or a
+    directory of results: every study below it, with its trials."""
 
     suite: bool = False
     """Hold every shipped scenario family against the admission rule."""
@@ -86,24 +87,35 @@ class Check:
             raise ExperimentError(faults[-1])
 
     def _faults_of_file(self) -> Sequence[str]:
+        from experiments.running.checking import (
+            STUDY_FILE,
+            faults_of,
+            size_of,
+            studies_at,
+        )
         from household.scenario.files import check_file, size_of_file
 
+        path = Path(self.file)
+        if path.name == STUDY_FILE or path.is_dir():
+            studies = studies_at(path)
+            faults = faults_of(studies)
+            if not faults:
+                self._tell(size_of(studies))
+            return faults
         faults = check_file(self.file)
         if not faults:
-            line = f"{self.file}: correct; {size_of_file(self.file)}."
-            new_console().print(line, markup=False)
+            self._tell(size_of_file(self.file))
         return faults
+
+    def _tell(self, size: str) -> None:
+        console = new_console()
+        console.print(f"{self.file}: correct; {size}.", soft_wrap=True)
 
     def _faults_of_suite(self) -> Sequence[str]:
         from experiments.running.engine import open_engine
+        from experiments.running.files import make_directory, to_json, write_text
         from experiments.running.progress import progress
-        from experiments.running.store import (
-            commit,
-            make_directory,
-            to_json,
-            versions,
-            write_text,
-        )
+        from experiments.running.store import commit, versions
         from experiments.scoring.suite import check_suite, shipped_families
 
         if self.households < 2:

@@ -12,8 +12,13 @@ from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError, unknown
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import Console
     from rich.table import Table
 
+    from experiments.running.engine import Engine
+    from experiments.running.study import Study
     from experiments.studies.findings import Finding
 
 
@@ -39,9 +44,9 @@ class StudyCommand:
     def run(self) -> None:
         """Runs what is missing, then shows and stores what was found."""
         from experiments.running.engine import open_engine
-        from experiments.running.jobs import prepare, run
-        from experiments.running.progress import progress
-        from experiments.running.store import Results, to_json, write_text
+        from experiments.running.files import to_json, write_text
+        from experiments.running.lock import alone_in
+        from experiments.running.store import Results
         from experiments.studies.findings import findings
         from experiments.studies.people import STUDIES
 
@@ -51,19 +56,30 @@ class StudyCommand:
             raise ExperimentError(f"--seeds must be at least 1, got {self.seeds}.")
         studies = STUDIES[self.name](tuple(range(self.seeds)))
         engine, console = open_engine(self.engine, self.workers), new_console()
+        file = self.out / self.name / "findings.json"
+        with alone_in(self.out):
+            self._run_missing(studies, engine, console)
+            found = [
+                finding
+                for study in studies
+                for finding in findings(
+                    study, Results(self.out / study.name).read(study)
+                )
+            ]
+            document = {"format": 1, "study": self.name, "findings": found}
+            write_text(file, to_json(document))
+        console.print(_table(found))
+        console.print(f"findings: {file}", highlight=False, soft_wrap=True)
+
+    def _run_missing(
+        self, studies: Sequence[Study], engine: Engine, console: Console
+    ) -> None:
+        from experiments.running.jobs import prepare, run
+        from experiments.running.progress import progress
+
         jobs = prepare(studies, self.out)
         with progress(console, "trials", len(jobs)) as advance:
             run(jobs, engine, advance)
-        found = [
-            finding
-            for study in studies
-            for finding in findings(study, Results(self.out / study.name).read(study))
-        ]
-        file = self.out / self.name / "findings.json"
-        document = {"format": 1, "study": self.name, "findings": found}
-        write_text(file, to_json(document))
-        console.print(_table(found))
-        console.print(f"findings: {file}", highlight=False, soft_wrap=True)
 
 
 def _table(found: list[Finding]) -> Table:

@@ -12,12 +12,24 @@ def new_console() -> Console:
     """Returns a console on stdout; plain lines where that is no terminal.
 
     What stdout's encoding lacks (a check mark in Latin-1) is shown as a question mark.
+    Square brackets and colons are what they are: paths may hold them. When nobody reads
+    any more (`| head -1`), the work goes on, in silence.
     """
     import io
+    import os
     import sys
 
     from rich.console import Console
 
+    class Unread(Console):
+        """Does not end the program where its output goes nowhere."""
+
+        def on_broken_pipe(self) -> None:
+            self.quiet = True
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nowhere, sys.stdout.fileno())
+            os.close(nowhere)
+
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")
-    return Console(highlight=False)
+    return Unread(highlight=False, markup=False, emoji=False)

@@ -18,6 +18,11 @@ if TYPE_CHECKING:
     from experiments.running.study import Trial
 
 
+SPACE, SPACE_PER_BEING = 1e6, 300
+"""What a replay takes in any case, and what replay, learners and table take together
+for each person and robot in each decision [bytes]; `evening` takes 220, `party` 240."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Train:
     """Let robots learn in one household, and keep what they learned."""
@@ -42,13 +47,19 @@ class Train:
 
     def run(self) -> None:
         """Runs one episode and stores what came of it."""
-        from experiments.running.store import make_directory
-        from experiments.running.trial import describe_condition
+        from experiments.running.files import ask_for_space, remove_remains
+        from experiments.running.lock import alone_in
+        from experiments.running.trial import describe_condition, make_home
 
         trial = self._trial()
         describe_condition(trial.condition)  # refuses a wrong condition
-        make_directory(self.out)
-        self._live(new_console(), trial)
+        scenario = make_home(trial.condition).scenario
+        beings = len(scenario.people) + len(scenario.robots)
+        with alone_in(self.out):
+            remove_remains(self.out)
+            need = SPACE + SPACE_PER_BEING * beings * self.decisions
+            ask_for_space(self.out, need, f"{self.decisions} decisions")
+            self._live(new_console(), trial)
 
     def _trial(self) -> Trial:
         from experiments.running.study import Condition, Trial
@@ -66,19 +77,25 @@ class Train:
         return Trial(condition=condition, seed=self.seed)
 
     def _live(self, console: Console, trial: Trial) -> None:
+        from experiments.running.keeping import Keeper
         from experiments.running.progress import Steps, progress
-        from experiments.running.store import write_whole
         from experiments.running.trial import play
         from experiments.running.trial_table import TrialTable
+        from household.errors import HouseholdError
         from policies.recording import RecordingObserver
 
-        table = TrialTable()
-        replay = RecordingObserver(self.out / "replay.rrd", watch=self.watch)
-        with progress(console, "decisions", self.decisions) as advance:
-            robots = play(trial, [table, replay, Steps(advance)])
-        write_whole(self.out / "trial.parquet", table.frame().write_parquet)
-        for agent, robot in robots.items():
-            robot.learner.save(self.out / f"{agent}.json")
+        table, replay = TrialTable(), self.out / "replay.rrd"
+        keeper = Keeper(table, self.out, replay)
+        recorder = RecordingObserver(replay, watch=self.watch)
+        try:
+            with progress(console, "decisions", self.decisions) as advance:
+                play(trial, [table, keeper, recorder, Steps(advance)])
+        except HouseholdError as error:
+            if not keeper.done:
+                raise
+            raise ExperimentError(
+                f"{error}. What was learned is stored in {self.out}."
+            ) from error
         self._tell(console, table.frame())
 
     def _tell(self, console: Console, frame: polars.DataFrame) -> None:
@@ -90,6 +107,9 @@ class Train:
             f"{len(frame)} history entries, {(values > 0).sum()} caresses, "
             f"{(values < 0).sum()} taps, cumulative reward {final_reward(frame):.1f}."
         )
-        console.print(f"replay: household replay {self.out / 'replay.rrd'}")
-        console.print(f"learners: {self.out}/robot_*.json")
-        console.print(f"table of the trial: {self.out / 'trial.parquet'}")
+        for line in (
+            f"replay: household replay {self.out / 'replay.rrd'}",
+            f"learners: {self.out}/robot_*.json",
+            f"table of the trial: {self.out / 'trial.parquet'}",
+        ):
+            console.print(line, soft_wrap=True)

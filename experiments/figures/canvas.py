@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from experiments.running.store import write_whole
+from experiments.running.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

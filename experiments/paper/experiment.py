@@ -24,6 +24,7 @@ from experiments.figures import (
 )
 from experiments.running.study import Condition, Study, Trial
 from experiments.running.trial import run_trial
+from experiments.running.trial_columns import COLUMNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -134,7 +135,11 @@ class Experiment:
     def study(self, seeds: tuple[int, ...]) -> Study:
         """Returns the trials to run."""
         return Study(
-            name=self.name, conditions=self.conditions, seeds=seeds, run=self.run
+            name=self.name,
+            conditions=self.conditions,
+            seeds=seeds,
+            run=self.run,
+            columns=COLUMNS,
         )
 
     def condition(self, name: str) -> Condition:

@@ -15,7 +15,7 @@ from experiments.report.format import (
     format_verdict,
 )
 from experiments.report.records import FactorialSummary, Published, Reproduced
-from experiments.running.store import to_json, write_text
+from experiments.running.files import to_json, write_text
 
 _TEMPLATES = Path(__file__).parent / "templates"
 

@@ -10,20 +10,24 @@ DIR/report.html                           all of it, in one file
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import Future
 from pathlib import Path
 
 from experiments.analysis import measures
 from experiments.analysis.evaluation import evaluations
 from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS, Experiment
-from experiments.report.figures import draw, stored_study
+from experiments.report.figures import FiguresOf, drawing, stored_study
 from experiments.report.html import write_report
-from experiments.report.records import DrawnFigure, Published, Reproduced
+from experiments.report.records import Published, Reproduced
 from experiments.report.study_tables import summarize_factorial, summarize_sensitivity
-from experiments.running.engine import ctrl_c_held_back, open_engine, result_of
+from experiments.running.files import (
+    make_directory,
+    remove_remains,
+    to_json,
+    write_text,
+)
 from experiments.running.replays import record
-from experiments.running.store import Results, make_directory, to_json, write_text
+from experiments.running.store import Results
 from experiments.running.study import Trial
 
 
@@ -37,8 +41,9 @@ def publish(out: Path) -> Published:
         ExperimentError: If there is no finished experiment.
     """
     finished, unfinished = _finished(out)
-    make_directory(out / "figures")
-    make_directory(out / "replays")
+    for folder in (out / "figures", out / "replays"):
+        make_directory(folder)
+        remove_remains(folder)
     reproduced = _reproduced(finished, out)
     published = Published(
         reproduced=reproduced,
@@ -53,20 +58,25 @@ def publish(out: Path) -> Published:
     plain = [finding.plain() for finding in published.findings]
     write_text(published.claims_file, to_json(plain))
     write_report(published, published.report_file)
+    for part in reproduced:  # last: they are large, and nothing else needs them
+        _record(part)
     return published
 
 
 def _reproduced(experiments: Sequence[Experiment], out: Path) -> tuple[Reproduced, ...]:
     """Analyzes experiments here, while other processes draw their figures."""
-    executor = open_engine().open()
-    try:
-        with ctrl_c_held_back():
-            drawn = [executor.submit(draw, each.number, out) for each in experiments]
-        pairs = zip(experiments, drawn, strict=True)
-        return tuple(_analyze(each, out, figures) for each, figures in pairs)
-    finally:
-        with ctrl_c_held_back():
-            executor.shutdown(cancel_futures=True)
+    with drawing([each.number for each in experiments], out) as figures_of:
+        return tuple(_analyze(each, out, figures_of) for each in experiments)
+
+
+def _record(part: Reproduced) -> None:
+    """Records the typical trial, if that is not there yet."""
+    experiment, replay = part.experiment, part.replay
+    for other in set(replay.parent.glob(f"{experiment.name}_seed_*.rrd")) - {replay}:
+        other.unlink()  # typical no more, now that there are other seeds
+    if not replay.exists():
+        condition = experiment.condition(experiment.reference)
+        record(Trial(condition=condition, seed=part.typical_seed), replay)
 
 
 def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
@@ -76,11 +86,11 @@ def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
         if not results.study_file.exists():
             continue
         trials = stored_study(experiment, results).trials()
-        missing = results.missing(trials)
-        if missing:
+        faults = [fault for trial in trials if (fault := results.fault(trial))]
+        if faults:
             unfinished.append(
-                f"Experiment {experiment.number} is left out: {len(missing)} of "
-                f"{len(trials)} trials are missing."
+                f"Experiment {experiment.number} is left out: {len(faults)} of "
+                f"{len(trials)} trials are missing or damaged ({faults[0]})."
             )
         else:
             finished.append(experiment)
@@ -90,19 +100,12 @@ def _finished(out: Path) -> tuple[Sequence[Experiment], tuple[str, ...]]:
     return finished, tuple(unfinished)
 
 
-def _analyze(
-    experiment: Experiment, out: Path, drawn: Future[tuple[DrawnFigure, ...]]
-) -> Reproduced:
+def _analyze(experiment: Experiment, out: Path, figures_of: FiguresOf) -> Reproduced:
     results = Results(out / experiment.name)
     study = stored_study(experiment, results)
     frame = results.read(study)
     typical = measures.typical_seed(frame, experiment.reference)
     replay = out / "replays" / f"{experiment.name}_seed_{typical}.rrd"
-    condition = experiment.condition(experiment.reference)
-    for other in set(replay.parent.glob(f"{experiment.name}_seed_*.rrd")) - {replay}:
-        other.unlink()  # typical no more, now that there are other seeds
-    if not replay.exists():
-        record(Trial(condition=condition, seed=typical), replay)
     return Reproduced(
         experiment=experiment,
         study=study,
@@ -115,7 +118,7 @@ def _analyze(
             experiment.target_situations,
             experiment.further,
         ),
-        figures=result_of(drawn),
+        figures=figures_of(experiment.number),
         tables=tuple(make(frame) for make in experiment.tables),
         typical_seed=typical,
         replay=replay,

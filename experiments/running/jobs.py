@@ -9,12 +9,18 @@ from typing import TYPE_CHECKING
 
 from experiments.errors import ExperimentError
 from experiments.running.engine import Engine, Outcome, run_trials
+from experiments.running.files import ask_for_space
 from experiments.running.store import Results
 from experiments.running.study import Study, Trial
 from experiments.running.trial import configuration
 
 if TYPE_CHECKING:
     import polars
+
+
+SPACE, SPACE_PER_TRIAL = 2e7, 1e5
+"""What figures, report and replays take, and what a trial's table takes [bytes]; about
+twice what those of the paper take."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,11 +55,15 @@ def prepare(studies: Sequence[Study], out: Path) -> tuple[Job, ...]:
         results.check(asked)
     for (study, results), asked in zip(wanted, configurations, strict=True):
         results.prepare(study, asked)
-    return tuple(
+    jobs = tuple(
         Job(results=results, trial=trial, run=study.run)
         for study, results in wanted
         for trial in results.missing(study.trials())
     )
+    if jobs:
+        need = SPACE + SPACE_PER_TRIAL * len(jobs)
+        ask_for_space(out, need, f"the result of {len(jobs)} trials")
+    return jobs
 
 
 def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> None:
@@ -85,10 +95,10 @@ def _run(job: Job) -> polars.DataFrame:
 def _store(outcome: Outcome[Job, polars.DataFrame]) -> list[str]:
     """Stores a result; returns what failed if there is none."""
     results, trial = outcome.trial.results, outcome.trial.trial
-    if outcome.value is not None:
+    if outcome.value is not None and not outcome.value.is_empty():
         results.write(trial, outcome.value)
         return []
-    error = outcome.error or RuntimeError("the trial returned nothing")
+    error = outcome.error or RuntimeError("the trial's table is empty")
     path = results.write_error(trial, error)
     reason = str(error).strip().partition("\n")[0]
     return [f"{trial}: {type(error).__name__}: {reason} (traceback in {path})"]

@@ -79,10 +79,15 @@ def _bar(console: Console, what: str, total: int) -> Iterator[Advance]:
 
         def advance() -> None:
             bar.advance(task)
-            rate = bar.tasks[0].completed / (time.monotonic() - begun)
+            rate = bar.tasks[0].completed / _since(begun)
             bar.update(task, rate=f"{rate:.1f}/s")
 
         yield advance
+
+
+def _since(begun: float) -> float:
+    """Time that has passed [s]; never none, whatever the clock says."""
+    return max(time.monotonic() - begun, 1e-9)
 
 
 def _lines(console: Console, what: str, total: int) -> Advance:
@@ -93,7 +98,7 @@ def _lines(console: Console, what: str, total: int) -> Advance:
         nonlocal done
         done += 1
         if done * _LINES // total > (done - 1) * _LINES // total:
-            rate = done / (time.monotonic() - begun)
+            rate = done / _since(begun)
             left = (total - done) / rate
             console.print(
                 f"{done} of {total} {what}, {rate:.1f}/s, {left:.0f} s left",

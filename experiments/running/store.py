@@ -10,12 +10,12 @@ its final name is whole, whenever the program is killed.
 
 from __future__ import annotations
 
-import os
+import hashlib
 import platform
 import subprocess
 import traceback
-from collections.abc import Callable, Iterable
-from functools import cache
+from collections.abc import Iterable, Sequence
+from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,16 +23,25 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from experiments.errors import ExperimentError
+from experiments.running.files import (
+    make_directory,
+    remove_remains,
+    to_json,
+    write_text,
+    write_whole,
+)
 from experiments.running.study import Study, Trial
+from experiments.running.study_files import first_difference, read_study_file
+from experiments.running.trial_files import (
+    FORMAT,
+    Identity,
+    decoded,
+    encoded,
+    fault_of,
+)
 
 if TYPE_CHECKING:
     import polars
-
-FORMAT = 2
-"""Version of what is stored; results of another version are refused, never converted.
-
-1: situations were text alone. 2: roles, attention and factors are columns.
-"""
 
 _PACKAGES = (
     "polite-household",
@@ -81,8 +90,7 @@ class Results:
             "configuration": configuration,
         }
         make_directory(self.directory)
-        for remains in self.directory.rglob(".*.tmp"):  # of a run that was killed
-            remains.unlink(missing_ok=True)
+        remove_remains(self.directory)
         write_text(self.study_file, to_json(document))
 
     def check(self, configuration: object) -> dict[str, Any] | None:
@@ -108,35 +116,53 @@ class Results:
         Raises:
             ExperimentError: If it is missing, damaged or of another format.
         """
-        try:
-            document = msgspec.json.decode(self.study_file.read_bytes(), type=dict)
-        except OSError as error:
-            raise ExperimentError(f"{self.study_file}: {error.strerror}.") from error
-        except msgspec.DecodeError as error:
-            raise ExperimentError(f"{self.study_file}: damaged ({error}).") from error
-        if document.get("format") != FORMAT:
-            raise ExperimentError(
-                f"{self.study_file}: holds results in format "
-                f"{document.get('format')!r}, this version reads format {FORMAT}. "
-                f"Choose another --out, or delete {self.directory}, and run it again."
-            )
-        return document
+        return read_study_file(self.study_file)
 
     def file(self, trial: Trial) -> Path:
         """Returns where a finished trial lies."""
         folder = self.directory / "trials" / trial.condition.name
         return folder / f"seed_{trial.seed:04d}.parquet"
 
+    def fault(self, trial: Trial) -> str | None:
+        """Returns why a trial has no usable result, in one line; None if it has."""
+        path = self.file(trial)
+        if not path.exists():
+            return f"{path}: missing"
+        fault = fault_of(path, self.identity(trial))
+        return fault and f"{path}: {fault}"
+
     def missing(self, trials: Iterable[Trial]) -> tuple[Trial, ...]:
-        """Returns the trials that have no result yet."""
-        return tuple(trial for trial in trials if not self.file(trial).exists())
+        """Returns the trials that have no result yet, or none that can be used."""
+        return tuple(trial for trial in trials if self.fault(trial))
 
     def write(self, trial: Trial, frame: polars.DataFrame) -> None:
-        """Stores one finished trial."""
+        """Stores one finished trial.
+
+        Raises:
+            ExperimentError: If the disk is full.
+        """
         path = self.file(trial)
+        content = encoded(frame, self.identity(trial))
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(path, lambda temporary: frame.write_parquet(temporary))
+        write_whole(path, lambda temporary: temporary.write_bytes(content))
         self._error_file(trial).unlink(missing_ok=True)
+
+    def identity(self, trial: Trial) -> Identity:
+        """Returns what a trial's file says it is."""
+        study, configuration = self._known
+        return Identity(
+            study=study,
+            configuration=configuration,
+            condition=trial.condition.name,
+            seed=trial.seed,
+        )
+
+    @cached_property
+    def _known(self) -> tuple[str, str]:
+        """The study's name, and a digest of its configuration."""
+        stored = self.read_study()
+        configuration = msgspec.json.encode(stored["configuration"])
+        return stored["study"], hashlib.sha256(configuration).hexdigest()
 
     def write_error(self, trial: Trial, error: BaseException) -> Path:
         """Stores the traceback of a trial that failed and returns where."""
@@ -158,14 +184,22 @@ class Results:
         """
         import polars as pl
 
-        missing = self.missing(study.trials())
-        if missing:
+        trials = study.trials()
+        absent = [trial for trial in trials if not self.file(trial).exists()]
+        if absent:
             raise ExperimentError(
-                f"{self.directory}: {len(missing)} of {len(study.trials())} trials are "
-                f"missing, e.g. {missing[0]}; run `household reproduce` to add them."
+                f"{self.directory}: {len(absent)} of {len(trials)} trials are "
+                f"missing, e.g. {absent[0]}; run `household reproduce` to add them."
             )
+        tables = [self._read(trial, study.columns) for trial in trials]
+        for trial, table in zip(trials, tables, strict=True):
+            if table.schema != tables[0].schema:
+                raise ExperimentError(
+                    f"{self.file(trial)}: its columns are other than those of "
+                    f"{trials[0]}. Delete one of them, and run it again."
+                )
         return pl.concat(
-            _read_trial(self.file(trial)).select(
+            table.select(
                 pl.lit(trial.condition.name).alias("condition"),
                 pl.lit(trial.seed).alias("seed"),
                 *(
@@ -174,63 +208,17 @@ class Results:
                 ),
                 pl.all(),
             )
-            for trial in study.trials()
+            for trial, table in zip(trials, tables, strict=True)
         )
 
-
-def _read_trial(path: Path) -> polars.DataFrame:
-    import polars as pl
-
-    try:
-        return pl.read_parquet(path)
-    except pl.exceptions.PolarsError as error:
-        raise ExperimentError(
-            f"{path}: damaged ({error}). Delete it, and `household reproduce` runs "
-            "that trial again."
-        ) from error
-
-
-def make_directory(directory: Path) -> None:
-    """Makes a directory that can be written to.
-
-    Raises:
-        ExperimentError: If there is a file in the way, or it cannot be written to.
-    """
-    try:
-        directory.mkdir(parents=True, exist_ok=True)
-        probe = directory / f".writable.{os.getpid()}"
-        probe.touch()
-        probe.unlink()
-    except (FileExistsError, NotADirectoryError) as error:
-        raise ExperimentError(
-            f"--out {directory}: is a file, must be a directory (existing or new)."
-        ) from error
-    except OSError as error:
-        raise ExperimentError(
-            f"--out {directory}: cannot be written to ({error.strerror})."
-        ) from error
-
-
-def write_whole(path: Path, write: Callable[[Path], object]) -> None:
-    """Writes a file so that it is whole as soon as it has its name."""
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        write(temporary)
-        with temporary.open("rb") as file:
-            os.fsync(file.fileno())
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def write_text(path: Path, text: str) -> None:
-    """Writes a text file so that it is whole as soon as it has its name."""
-    write_whole(path, lambda temporary: temporary.write_text(text, encoding="utf-8"))
-
-
-def to_json(document: object) -> str:
-    """Returns plain data as indented JSON; NaN becomes null."""
-    return msgspec.json.format(msgspec.json.encode(document), indent=2).decode() + "\n"
+    def _read(self, trial: Trial, columns: Sequence[str]) -> polars.DataFrame:
+        """Returns a trial's table, which has these columns and perhaps others."""
+        path = self.file(trial)
+        table = decoded(path, self.identity(trial))
+        lacking = [name for name in columns if name not in table.columns]
+        if lacking:
+            raise ExperimentError(f"{path}: has no column {lacking[0]!r}. Delete it.")
+        return table
 
 
 def versions() -> dict[str, str]:
@@ -261,35 +249,6 @@ def commit() -> str | None:
         return git("rev-parse", "HEAD") + ("+" if git("status", "--porcelain") else "")
     except (OSError, subprocess.CalledProcessError):
         return None
-
-
-def first_difference(stored: object, asked: object, path: str = "") -> str | None:
-    """Returns where two pieces of plain data first differ, in words, or None."""
-    if isinstance(stored, dict) and isinstance(asked, dict):
-        for key in [*stored, *(key for key in asked if key not in stored)]:
-            inner = f"{path}.{key}" if path else str(key)
-            found = first_difference(stored.get(key), asked.get(key), inner)
-            if found:
-                return found
-        return None
-    if (
-        isinstance(stored, list)
-        and isinstance(asked, list)
-        and len(stored) == len(asked)
-    ):
-        for index, (one, other) in enumerate(zip(stored, asked, strict=True)):
-            found = first_difference(one, other, f"{path}[{index}]")
-            if found:
-                return found
-        return None
-    if stored == asked:
-        return None
-    return f"{path}: stored {_short(stored)}, asked for {_short(asked)}"
-
-
-def _short(value: object, length: int = 60) -> str:
-    text = msgspec.json.encode(value).decode()
-    return text if len(text) <= length else text[: length - 3] + "..."
 
 
 def _plain(configuration: object) -> object:

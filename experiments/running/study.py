@@ -90,6 +90,9 @@ class Study:
     """Everything that a condition fixes, as plain data; None: its learner and its
     scenario."""
 
+    columns: tuple[str, ...] = ()
+    """Columns that every trial's table has, among others; checked when it is read."""
+
     def __post_init__(self) -> None:
         """Checks names and seeds."""
         names = [condition.name for condition in self.conditions]

@@ -102,6 +102,10 @@ def schema(behaviors: Sequence[str]) -> pl.Schema:
     return pl.Schema(columns)
 
 
+COLUMNS = tuple(schema(()).names())
+"""Names of the columns, whatever the behaviors."""
+
+
 def rows_schema(behaviors: Sequence[str]) -> pl.Schema:
     """Returns the columns without what a situation's key stands for."""
     columns = schema(behaviors)

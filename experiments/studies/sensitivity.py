@@ -14,7 +14,8 @@ import polars as pl
 
 from experiments.analysis.claims import Claim, verdicts
 from experiments.paper.experiment import Experiment
-from experiments.running.store import Results, to_json, write_text
+from experiments.running.files import to_json, write_text
+from experiments.running.store import Results
 from experiments.running.study import Condition, Study
 from experiments.running.trial import describe_condition
 from experiments.studies.constants import Constant, constants

@@ -189,7 +189,7 @@ def locate(name: str, kind: Kind) -> Path:
         return files[name]
     if name.endswith(".toml"):
         path = Path(name)
-        if not _is_file(path):
+        if not is_file(path):
             raise HouseholdError(f"{shown_path(path)}: no such {kind} file")
         return path
     raise HouseholdError(
@@ -197,7 +197,8 @@ def locate(name: str, kind: Kind) -> Path:
     )
 
 
-def _is_file(path: Path) -> bool:
+def is_file(path: Path) -> bool:
+    """Whether there is a file of a name, which may be one that no file can have."""
     try:
         return path.is_file()
     except (OSError, ValueError):  # Too long a name for this system, or no name at all.

@@ -70,12 +70,17 @@ class Buffer:
 
     def take(self) -> Moments:
         """Takes all moments out."""
-        decisions, scenario = self._decisions, self._simulation.scenario
-        records = self._records[: len(decisions)]
+        moments, decisions = self.held(), self._decisions
         earlier, spots = self._before
         latest = np.concatenate([spots, self._spots[: len(decisions)]])[-REMEMBERED:]
         self._before = [*earlier, *decisions][-REMEMBERED:], latest
         self._decisions = []
+        return moments
+
+    def held(self) -> Moments:
+        """All moments, which stay where they are."""
+        scenario = self._simulation.scenario
+        records = self._records[: len(self._decisions)]
         decision = records[DECISION].copy()
         time: Floats = decision * scenario.decision_period
         return Moments(decision=decision, time=time, **recorded(records, scenario))

@@ -1,19 +1,24 @@
 """Chunks: the exact columns of a recording, read back as tables of arrays."""
 
+import shutil
 import struct
 import tempfile
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from household.errors import HouseholdError
+from household.config.toml import is_file
+from household.errors import HouseholdError, shown_path
 
 Table = dict[str, NDArray[Any]]
+
+LARGEST = 2**33
+"""Of a file that is read [bytes]: a week of a crowded home."""
 
 HEADER, MESSAGE = 12, struct.Struct("<QQ")
 """Length of a file's header; kind and length before each of its messages."""
@@ -32,13 +37,23 @@ def read_tables(path: Path) -> dict[str, Table]:
     Raises:
         HouseholdError: If it cannot be read.
     """
-    if not path.is_file():
-        raise HouseholdError(f"{path}: no such file")
+    if not is_file(path):
+        raise HouseholdError(f"{shown_path(path)}: no such file")
+    if path.stat().st_size > LARGEST:
+        raise HouseholdError(f"{shown_path(path)}: larger than {LARGEST} bytes")
     parts: dict[str, list[Table]] = {}
     with _whole_part(path) as whole:
         for entity, table in _pieces(whole, path):
             parts.setdefault(entity, []).append(table)
-    return {entity: _merged(tables) for entity, tables in parts.items()}
+    try:
+        return {entity: _merged(tables) for entity, tables in parts.items()}
+    except (ValueError, KeyError, IndexError, TypeError) as error:
+        raise _unreadable(path, error) from None
+
+
+def _unreadable(path: Path, error: Exception) -> HouseholdError:
+    reason = (str(error).splitlines() or [""])[0]
+    return HouseholdError(f"{shown_path(path)}: damaged ({shown_path(reason)})")
 
 
 def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
@@ -53,10 +68,11 @@ def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
                 if entity == "__properties/household" or (
                     not chunk.is_static and _is_exact(entity)
                 ):
-                    yield entity, _table(chunk.to_record_batch())
-        except RuntimeError as error:
-            reason = str(error).splitlines()[0].replace(str(whole), str(path))
-            raise HouseholdError(f"{path}: {reason}") from None
+                    batch = chunk.to_record_batch()
+                    batch.validate(full=True)  # Else forged lengths lead astray.
+                    yield entity, _table(batch)
+        except (RuntimeError, ValueError, KeyError, TypeError) as error:
+            raise _unreadable(path, error) from None
 
 
 def _is_exact(entity: str) -> bool:
@@ -96,23 +112,28 @@ def _merged(tables: list[Table]) -> Table:
 @contextmanager
 def _whole_part(path: Path) -> Iterator[Path]:
     """The file, or a copy without its last message if a kill cut that off."""
-    data = path.read_bytes()
-    end = _end_of_messages(data)
-    if end == len(data):
-        yield path
-        return
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / "whole.rrd"
-        copy.write_bytes(data[:end])
-        yield copy
+    with path.open("rb") as file:
+        size = path.stat().st_size
+        end = _end_of_messages(file, size)
+        if end == size:
+            yield path
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "whole.rrd"
+            file.seek(0)
+            with copy.open("wb") as part:
+                shutil.copyfileobj(file, part)
+                part.truncate(end)
+            yield copy
 
 
-def _end_of_messages(data: bytes) -> int:
+def _end_of_messages(file: BinaryIO, size: int) -> int:
     """Where the last complete message of a file ends [bytes]."""
     end = HEADER
-    while end + MESSAGE.size <= len(data):
-        _, length = MESSAGE.unpack_from(data, end)
-        if end + MESSAGE.size + length > len(data):
+    while end + MESSAGE.size <= size:
+        file.seek(end)
+        _, length = MESSAGE.unpack(file.read(MESSAGE.size))
+        if end + MESSAGE.size + length > size:
             return end
         end += MESSAGE.size + length
-    return min(end, len(data))
+    return min(end, size)

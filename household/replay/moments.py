@@ -91,13 +91,18 @@ def send_moments(
         moments: What happened.
         total: Sum of each robot's rewards before that, shape (n_robots,).
     """
+    # The exact state comes first: it can be read where a kill cuts off what is drawn.
+    send_state(stream, moments)
     _send_people(stream, scenario, moments)
     _send_robots(stream, scenario, moments)
     _send_series(stream, moments, total)
     _send_attention(stream, moments)
     _send_lanes(stream, scenario, moments)
     _send_credit_lanes(stream, scenario, moments)
-    # The exact state comes last: where it is, everything is.
+
+
+def send_state(stream: Stream, moments: Moments) -> None:
+    """Writes the exact numbers of moments, which are read back."""
     state = [exact(name, getattr(moments, name)) for name in FIELDS]
     stream.send("state", (moments.decision, moments.time), state)
 

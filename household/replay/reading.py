@@ -5,9 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from household.compiled.arrays import Floats, Integers
-from household.errors import HouseholdError
+from household.config.toml import convert
+from household.errors import LONGEST, HouseholdError, shown_path
 from household.replay.chunks import Table, read_tables
 from household.replay.touches import touches_of
 from household.scenario.scenario import Scenario
@@ -67,11 +69,24 @@ def read_replay(path: Path | str) -> Replay:
     Raises:
         HouseholdError: If it cannot be read or is no replay of a household.
     """
-    tables = read_tables(Path(path))
+    tables, origin = read_tables(Path(path)), shown_path(path)
     if not {"__properties/household", "state"} <= tables.keys():
-        raise HouseholdError(f"{path}: no replay of a household, or an empty one")
+        raise HouseholdError(
+            f"{origin}: no replay of a household, or cut off before its first moment"
+        )
+    try:
+        return _replay(tables)
+    # What a stranger's file may lack, or hold in another form.
+    except (KeyError, IndexError, TypeError, ValueError, OverflowError) as error:
+        reason = " ".join(str(error).split())[:LONGEST]
+        raise HouseholdError(
+            f"{origin}: no replay of a household, or a damaged one ({reason})"
+        ) from error
+
+
+def _replay(tables: dict[str, Table]) -> Replay:
     text = str(tables["__properties/household"]["scenario"][0])
-    scenario = msgspec.json.decode(text, type=Scenario)
+    scenario = convert(msgspec.json.decode(text), Scenario, "its scenario")
     values = {name: tables.get(f"q/{name}", {}) for name in scenario.robot_names}
     return Replay(
         scenario=scenario,
@@ -83,7 +98,9 @@ def read_replay(path: Path | str) -> Replay:
 
 
 def _moments(scenario: Scenario, state: Table) -> Moments:
-    decision = state[DECISION]
+    # The first moment is written twice: at once, and again with those after it.
+    decision, first = np.unique(state[DECISION], return_index=True)
+    state = {name: column[first] for name, column in state.items()}
     time: Floats = decision * scenario.decision_period
     arrays = {
         name: state[name].reshape(-1, *kind.shape).astype(kind.base, copy=False)

@@ -13,7 +13,7 @@ from household.compiled.arrays import Floats
 from household.replay.blueprint import blueprint
 from household.replay.buffer import FLUSH_EVERY, Buffer
 from household.replay.events import Belief, Events
-from household.replay.moments import send_moments
+from household.replay.moments import send_moments, send_state
 from household.replay.process import open_viewer
 from household.replay.scenery import send_scenery
 from household.replay.situations import Situations
@@ -63,9 +63,9 @@ class Recorder:
         target = None if path is None else Path(path)
         name = scenario.name if target is None else target.stem
         self._stream = Stream(kind, name, target, _address(watch))
+        self.record()
         self._begin(learns)
         atexit.register(self.close)
-        self.record()
 
     def _begin(self, learns: bool) -> None:
         scenario = self._scenario
@@ -73,10 +73,12 @@ class Recorder:
         whole = msgspec.structs.replace(scenario, home=scenario.plan)
         text = msgspec.json.encode(whole)
         live = self._watch
-        self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
+        # First what is read back, so that no file that a kill cuts off is empty.
         self._stream.describe(scenario=text.decode())
+        send_state(self._stream, self._buffer.held())
+        self._stream.flush()  # Else Rerun writes it where it likes.
+        self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
         send_scenery(self._stream, scenario, learns)
-        # At once, as nothing can be read of a file that a kill cut off without it.
         self._stream.flush()
 
     def record(self) -> None:
@@ -116,19 +118,22 @@ class Recorder:
         moments = self._buffer.take()
         self._events.send(self._stream)
         self._send_values()
-        # Last, so that a file that a kill cuts off has all that belongs to a moment.
+        # After those, so that what a kill leaves of a file has all that belongs to the
+        # moments in it.
         if len(moments):
-            self._situations.send(self._stream, moments)
             send_moments(self._stream, self._scenario, moments, self._total)
+            self._situations.send(self._stream, moments)
             self._total = self._total + moments.reward.sum(axis=0)
         self._written = time.monotonic()
 
     def close(self) -> None:
         """Writes the rest and closes the file; a second time does nothing."""
         if self._stream.is_open:
-            self.flush()
-            self._stream.close()
             atexit.unregister(self.close)
+            try:
+                self.flush()
+            finally:
+                self._stream.close()
 
     def _is_due(self) -> bool:
         return time.monotonic() - self._written >= WATCH_EVERY

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from household.compiled.arrays import Floats, Integers
+from household.errors import HouseholdError, shown_path
 
 if TYPE_CHECKING:
     import rerun as rr
@@ -39,7 +40,7 @@ class Stream:
         self._recording: rr.RecordingStream | None = rr.RecordingStream(
             kind, send_properties=False
         )
-        self._watched = watch is not None
+        self._path, self._watched = path, watch is not None
         sinks: list[Any] = [] if watch is None else [rr.GrpcSink(watch)]
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -128,7 +129,10 @@ class Stream:
             action()
         except RuntimeError:
             if not self._watched:
-                raise
+                raise HouseholdError(
+                    f"{shown_path(self._path)}: cannot be written to its end; the "
+                    "disk may be full"
+                ) from None
 
 
 def saved_blueprint(blueprint: "rrb.Blueprint", kind: str) -> bytes:

@@ -4,7 +4,9 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from urllib.parse import quote
 
-from household.errors import HouseholdError
+from household.config.toml import is_file
+from household.errors import HouseholdError, shown_path
+from household.replay.probing import check_readable
 from household.replay.process import LOOPBACK, address, free_ports, start_viewer
 from household.replay.reading import Replay, read_replay
 from household.simulation.snapshot import Snapshot
@@ -21,9 +23,9 @@ def recordings(path: Path | str) -> tuple[Path, ...]:
         HouseholdError: If there are none.
     """
     path = Path(path)
-    found = (path,) if path.is_file() else tuple(sorted(path.rglob("*.rrd")))
+    found = (path,) if is_file(path) else tuple(sorted(path.rglob("*.rrd")))
     if not found:
-        raise HouseholdError(f"{path}: no replay file (.rrd) there")
+        raise HouseholdError(f"{shown_path(path)}: no replay file (.rrd) there")
     return found
 
 
@@ -49,14 +51,15 @@ def choose(
         show(f"{number:4d}  {file.relative_to(path)}")
     try:
         answer = ask(f"Which one (1 to {len(found)})? ").strip()
-    except EOFError:
+    except (EOFError, OSError, RuntimeError):  # Nobody is there to answer.
         answer = ""
-    if not (answer.isdecimal() and 1 <= int(answer) <= len(found)):
+    numbered = {str(number): file for number, file in enumerate(found, start=1)}
+    if answer not in numbered:
         raise HouseholdError(
-            f"{path} holds {len(found)} replays; name one of them, or a number "
-            f"from 1 to {len(found)}"
+            f"{shown_path(path)} holds {len(found)} replays; name one of them, or a "
+            f"number from 1 to {len(found)}"
         )
-    return found[int(answer) - 1]
+    return numbered[answer]
 
 
 def view(
@@ -72,7 +75,7 @@ def view(
     Raises:
         HouseholdError: If the file is no replay or the viewer does not run.
     """
-    read_replay(path)
+    check_readable(path)
     page, data = free_ports(2)
     arguments = [f"--port={data}", str(path)]
     if web:
@@ -103,6 +106,7 @@ def write_png(path: Path | str, out: Path | str, decision: int | None = None) ->
     Raises:
         HouseholdError: If there is no such moment, or the extra ``render`` is missing.
     """
+    check_readable(path)
     replay = read_replay(path)
     last = int(replay.moments.decision[-1])
     chosen = last if decision is None else decision
@@ -134,6 +138,7 @@ def write_video(
     Raises:
         HouseholdError: If the extra ``render`` is missing.
     """
+    check_readable(path)
     replay = read_replay(path)
     try:
         from imageio_ffmpeg import write_frames

@@ -79,8 +79,7 @@ class HomeKind(Record, frozen=True, kw_only=True):
 
     Attributes:
         shipped: Shipped homes, one of which is taken; none: they are generated.
-        shipped: tuple[Name, ...] = ()
-    rooms: Fewest and most rooms.
+        rooms: Fewest and most rooms.
         room_area: Smallest and largest area of a room of mean size [m2].
         clutter: Share of the furniture that nobody needs for an activity.
         loops: Chance of a door between two rooms that are joined already.

@@ -95,6 +95,26 @@ _ENCODERS: dict[type, Callable[[Any], Any]] = {
 }
 
 
+_BIT_GENERATORS: dict[str, type[np.random.BitGenerator]] = {
+    kind.__name__: kind
+    for kind in (
+        np.random.MT19937,
+        np.random.PCG64,
+        np.random.PCG64DXSM,
+        np.random.Philox,
+        np.random.SFC64,
+    )
+}
+"""By name: a file may not name just anything of numpy."""
+
+
+def _array(data: dict[str, Any]) -> Any:  # noqa: ANN401 - of any shape
+    kind = np.dtype(data["dtype"])
+    if kind.kind not in "biuf":
+        raise ValueError(f"arrays of {kind}")
+    return np.array(data["array"], dtype=kind)
+
+
 class Decoder:
     """Turns tagged JSON back into values, with what is attached to them.
 
@@ -112,7 +132,7 @@ class Decoder:
                 self.decode(k): self.decode(v) for k, v in data["dict"]
             },
             "set": lambda data: frozenset(map(self.decode, data["set"])),
-            "array": lambda data: np.array(data["array"], dtype=data["dtype"]),
+            "array": _array,
             "generator": self._generator,
             "function": lambda data: self._registered(data["function"]),
             "object": self._object,
@@ -139,7 +159,7 @@ class Decoder:
         return _registry[name]
 
     def _generator(self, data: dict[str, Any]) -> np.random.Generator:
-        bits = getattr(np.random, data["generator"])()
+        bits = _BIT_GENERATORS[data["generator"]]()
         bits.state = self.decode(data["state"])
         return np.random.Generator(bits)
 
@@ -154,10 +174,11 @@ class Decoder:
         for each in dataclasses.fields(cls):
             if each.metadata.get("attached"):
                 values[each.name] = self._attachment(cls, each.name)
+        fields = {field.name for field in dataclasses.fields(cls)}
         init = {f.name for f in dataclasses.fields(cls) if f.init} & values.keys()
         made = cls(**{name: values.pop(name) for name in init})
-        for name, value in values.items():  # frozen or not, the rest is set as it was
-            object.__setattr__(made, name, value)
+        for name in fields & values.keys():  # frozen or not, the rest is set as it was
+            object.__setattr__(made, name, values[name])
         return made
 
     def _attachment(self, cls: type, name: str) -> object:

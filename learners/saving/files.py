@@ -6,12 +6,15 @@ import os
 from pathlib import Path
 from typing import Any
 
-from learners.errors import SavedFileError
+from learners.errors import LearnerError, SavedFileError
 from learners.saving.codec import Decoder, encode
 
 FORMAT = "household-learner"
 VERSION = 2
 READABLE = (1, VERSION)
+
+LARGEST = 2**30
+"""Of a file that is read [bytes]: a learner of a million situations."""
 
 
 def write(path: str | Path, learner: object) -> None:
@@ -30,6 +33,8 @@ def write(path: str | Path, learner: object) -> None:
             file.flush()
             os.fsync(file.fileno())
         unfinished.replace(path)
+    except OSError as error:  # Which may not say itself what could not be written.
+        raise OSError(error.errno, error.strerror, str(path)) from error
     finally:
         unfinished.unlink(missing_ok=True)
 
@@ -47,10 +52,12 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
             saved learner, or if a class or a callable it needs is missing.
     """
     try:
-        header_line, payload, end = Path(path).read_text("utf-8").split("\n")
+        header_line, payload, end = _text(Path(path)).split("\n")
         header = json.loads(header_line)
         name, version, digest = (header[k] for k in ("format", "version", "sha256"))
-    except (UnicodeDecodeError, ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        if isinstance(error, SavedFileError):
+            raise
         raise SavedFileError(f"{path} is not a saved learner, or cut short") from error
     if name != FORMAT:
         raise SavedFileError(f"{path} is not a saved learner: its format is {name!r}")
@@ -62,7 +69,33 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
         raise SavedFileError(
             f"{path} is damaged: its content does not match its digest"
         )
-    return Decoder(attached, older=version < VERSION).decode(json.loads(payload))
+    decoder = Decoder(attached, older=version < VERSION)
+    try:
+        return decoder.decode(json.loads(payload))
+    except LearnerError:
+        raise
+    # A digest tells damage, not who wrote the file: it may hold anything.
+    except (
+        ArithmeticError,
+        AttributeError,
+        LookupError,
+        MemoryError,
+        RecursionError,
+        StopIteration,
+        TypeError,
+        ValueError,
+    ) as error:
+        reason = " ".join(str(error).split())[:200]
+        kind = type(error).__name__
+        raise SavedFileError(f"{path} holds no learner ({kind}: {reason})") from error
+
+
+def _text(path: Path) -> str:
+    with path.open("rb") as file:
+        content = file.read(LARGEST + 1)
+    if len(content) > LARGEST:
+        raise SavedFileError(f"{path} is larger than {LARGEST} bytes")
+    return content.decode("utf-8")
 
 
 def _digest(text: str) -> str:

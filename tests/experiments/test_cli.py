@@ -8,6 +8,8 @@ from experiments.cli import _unboxed, main
 from experiments.commands import COMMANDS
 from experiments.commands.terminal import new_console
 
+LONG = "a" * 5000
+
 
 def say(capsys, *words):
     """Runs a command; returns status, stdout, stderr."""
@@ -24,6 +26,19 @@ def say(capsys, *words):
     [
         (["reproduce", "7"], "unknown experiment '7'"),
         (["reproduce", "one"], "unknown experiment 'one'"),
+        (["reproduce", "9" * 5000], "unknown experiment '999"),
+        (["reproduce", "\u0661"], "unknown experiment"),
+        (["reproduce", "1", "--seeds", "9" * 5000], "--seeds"),
+        (["check", LONG + ".toml"], "aaa"),
+        (["train", LONG + ".toml"], "no such scenario file"),
+        (["report", LONG], "File name too long"),
+        (["replay", LONG], "aaa"),
+        (["train", "experiment_1", "--out", LONG], "cannot be written to"),
+        (["report", "two\nlines"], "two lines: nothing to report"),
+        (["replay", "two\nlines"], "two\\nlines: no replay"),
+        (["check", "two\nlines.toml"], "two\\nlines.toml"),
+        (["train", "two\nlines"], "unknown scenario 'two\\nlines'"),
+        (["check", "nul\0.toml"], "nul"),
         (["reproduc"], "did you mean 'reproduce'?"),
         (["reproduce", "1", "--seeds", "0"], "--seeds must be at least 1, got 0"),
         (["reproduce", "1", "--seeds", "-3"], "--seeds must be at least 1, got -3"),
@@ -56,6 +71,7 @@ def test_wrong_input_is_one_clear_line_and_status_2(
     assert said in err
     assert err.startswith("household: ")
     assert err.count("\n") == 1
+    assert len(err) < 1000
     assert "Traceback" not in err
     assert out == ""
     assert list(tmp_path.iterdir()) == []

@@ -5,7 +5,7 @@ import pytest
 from experiments.analysis.claims import Claim, verdicts
 from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import mean
-from experiments.running.store import to_json
+from experiments.running.files import to_json
 
 
 def given(values, label):

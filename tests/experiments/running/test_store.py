@@ -6,8 +6,10 @@ import polars as pl
 import pytest
 
 from experiments.errors import ExperimentError
-from experiments.running.store import Results, first_difference, write_whole
+from experiments.running.files import write_whole
+from experiments.running.store import Results
 from experiments.running.study import Condition, Study, Trial
+from experiments.running.study_files import first_difference
 
 
 def nothing(trial):
@@ -107,7 +109,7 @@ def test_results_of_an_older_format_are_refused_in_one_line(tmp_path):
     for refused in (results.read_study, lambda: results.prepare(study(), {})):
         with pytest.raises(ExperimentError) as caught:
             refused()
-        assert "holds results in format 1, this version reads format 2" in str(
+        assert "holds results in format 1, this version reads format 3" in str(
             caught.value
         )
         assert "Choose another --out, or delete" in str(caught.value)
@@ -151,6 +153,7 @@ def test_a_write_that_fails_leaves_neither_file_nor_remains(tmp_path):
 
 def test_an_error_file_goes_when_its_trial_succeeds(tmp_path):
     results = Results(tmp_path)
+    results.prepare(study(), {})
     trial = study().trials()[0]
     path = results.write_error(trial, ValueError("no"))
     assert "ValueError: no" in path.read_text()
@@ -175,7 +178,7 @@ KILLED = """
     import os, sys
     from pathlib import Path
     import polars as pl
-    from experiments.running.store import write_whole
+    from experiments.running.files import write_whole
 
     def slowly(path):
         whole = b"x" * 1000
