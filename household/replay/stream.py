@@ -3,6 +3,7 @@
 Rerun changes between minor versions; only the modules of this folder call it.
 """
 
+import shutil
 import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -19,6 +20,13 @@ if TYPE_CHECKING:
 
 Times = tuple[Integers, Floats]
 """When something happened: decisions, and the same in seconds."""
+
+
+WAITS, ATTEMPTS = 2.0, 60
+"""How long to wait at a stretch for a file to be written [s], and how often."""
+
+ROOM = 2**16
+"""Less than this is a full disk [bytes]."""
 
 
 class Stream:
@@ -41,6 +49,7 @@ class Stream:
             kind, send_properties=False
         )
         self._path, self._watched = path, watch is not None
+        self._failed = False
         sinks: list[Any] = [] if watch is None else [rr.GrpcSink(watch)]
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -70,7 +79,7 @@ class Stream:
             path = Path(folder) / "blueprint.rbl"
             path.write_bytes(blueprint)
             self.recording.log_file_from_path(path)
-            self.recording.flush()
+            self.flush()
 
     def describe(self, scenario: str) -> None:
         """Writes the whole scenario as a property of the recording, as JSON."""
@@ -108,7 +117,23 @@ class Stream:
 
     def flush(self) -> None:
         """Waits until all that was sent has arrived."""
-        self._despite_viewer(self.recording.flush)
+        recording = self.recording
+        self._despite_viewer(lambda: self._wait_for(recording))
+
+    def _wait_for(self, recording: "rr.RecordingStream") -> None:
+        """Flushes; where a disk is full, Rerun alone may wait forever."""
+        if self._path is None or self._watched:
+            recording.flush()
+            return
+        for attempt in reversed(range(ATTEMPTS)):
+            try:
+                recording.flush(timeout_sec=WAITS)
+            except RuntimeError:
+                self._failed = not attempt or _is_full(self._path)
+                if self._failed:
+                    raise
+            else:
+                return
 
     def close(self) -> None:
         """Ends the recording and frees what it holds; then the file is complete."""
@@ -116,8 +141,9 @@ class Stream:
 
         if self._recording is not None:
             recording, self._recording = self._recording, None
-            self._despite_viewer(recording.flush)
-            self._despite_viewer(recording.disconnect)
+            if not self._failed:
+                self._despite_viewer(lambda: self._wait_for(recording))
+                self._despite_viewer(recording.disconnect)
             del recording
             # Otherwise each closed stream would keep two threads forever.
             cleanup = rerun_bindings.flush_and_cleanup_orphaned_recordings
@@ -133,6 +159,11 @@ class Stream:
                     f"{shown_path(self._path)}: cannot be written to its end; the "
                     "disk may be full"
                 ) from None
+
+
+def _is_full(path: Path) -> bool:
+    """Whether the disk of a file has no room for one more message."""
+    return shutil.disk_usage(path.parent).free < ROOM
 
 
 def saved_blueprint(blueprint: "rrb.Blueprint", kind: str) -> bytes:

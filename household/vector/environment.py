@@ -261,7 +261,8 @@ def _as_it_is(array: NDArray[Any]) -> NDArray[Any]:
 def _infos(notices: Notices, whose: Mask, kept: Keep) -> dict[str, Any]:
     """Infos as Gymnasium has them: an array for each key, and whose it is."""
     mask, infos = whose.copy(), {}
-    for name, its_mask, array in zip(Notices._fields, MASKS, notices, strict=True):
+    arrays: tuple[NDArray[Any], ...] = notices
+    for name, its_mask, array in zip(Notices._fields, MASKS, arrays, strict=True):
         infos[name], infos[its_mask] = kept(array), mask
     return infos
 

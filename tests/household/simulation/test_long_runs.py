@@ -109,7 +109,7 @@ def party():
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="Linux's own figures")
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("make", "decisions"), [(party, 1_000_000), (crowded_home, 100_000)]
+    ("make", "decisions"), [(party, 1_000_000), (crowded_home, 1_000_000)]
 )
 def test_a_long_run_keeps_its_memory_and_everybody_on_the_move(
     make, decisions, deepest
