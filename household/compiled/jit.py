@@ -75,9 +75,9 @@ def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
     apart; that takes as long as many of our loops do. Here it finds out once, from the
     annotations of the function, and what is fixed is taken apart once
     (`household.compiled.packing`). So only arrays of our own may be handed over: it no
-    longer checks what they hold, and would read wrong memory. Where the environment variable
-    `CHECKED` is 1 when a function is bound, as in the tests, every call is checked,
-    whether Numba is switched off or not.
+    longer checks what they hold, and would read wrong memory. Where the environment
+    variable `CHECKED` is 1 when a function is bound, as in the tests, every call is
+    checked, whether Numba is switched off or not.
 
     Args:
         function: From `compiled`. All parameters but the first are annotated as

@@ -7,11 +7,8 @@ import pytest
 
 from experiments.errors import ExperimentError
 from experiments.running import jobs as reproduce
-from experiments.running.engine import open_engine
 from experiments.running.store import Results
 from experiments.running.study import Condition, Study
-
-ENGINE = open_engine("local", 1)
 
 
 def fine(trial):
