@@ -42,6 +42,7 @@ from learners.representation import (
     MarkedSituations,
     Named,
     Nameless,
+    NestedViews,
     PersonViews,
     Views,
     ViewSet,
@@ -77,6 +78,7 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "view_set": ViewSet,
         "views": Views,
         "audible_views": AudibleViews,
+        "nested_views": NestedViews,
         "person_views": PersonViews,
     },
     "pooling": {
@@ -150,9 +152,14 @@ def _component(setting: str, value: object) -> object:
     name = str(own.pop("name", ""))
     make = _known(setting, name)
     try:
-        return make(**own)
+        return make(**{setting: _frozen(value) for setting, value in own.items()})
     except TypeError as error:
         raise ParameterError(f"{setting} {name!r}: {error}") from error
+
+
+def _frozen(value: object) -> object:
+    """Lists as tuples: files know no tuples, and components are frozen."""
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
 
 
 def _known(setting: str, name: str) -> Callable[..., object]:
