@@ -31,6 +31,11 @@ class Packed(types.Type):
         self.content = types.Tuple(kinds)
         super().__init__(f"Packed({self.content})")
 
+    @property
+    def key(self) -> Any:  # noqa: ANN401
+        """What makes two types of addresses the same."""
+        return self.content
+
 
 @register_model(Packed)
 class _PackedModel(models.PrimitiveModel):
