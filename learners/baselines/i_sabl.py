@@ -11,7 +11,14 @@ import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.errors import ParameterError, check_positive, check_range
+from learners.errors import (
+    LEAST,
+    ParameterError,
+    check_range,
+    check_whole,
+    is_within,
+    shown,
+)
 from learners.learner import Credit
 from learners.saving import saved
 from learners.tabular.base import CreditedLearner
@@ -53,10 +60,11 @@ class ISabl(CreditedLearner):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_range("period", self.period, 1)
-        check_positive("prior", self.prior)
-        if not 0.0 < self.error < 0.5:
-            raise ParameterError(f"error is {self.error}, not in (0, 1/2)")
+        check_whole("period", self.period, 1, 10**9)
+        # Below, a probability of nothing would have no logarithm.
+        check_range("prior", self.prior, 1e-3)
+        if not (is_within(self.error, LEAST, 0.5) and self.error < 0.5):
+            raise ParameterError(f"error is {shown(self.error)}, not in (0, 1/2)")
         self.table = QTable(n_behaviors=_KINDS * self.n_behaviors)
 
     def _values(self, state: Hashable) -> Sequence[float]:
