@@ -1,6 +1,5 @@
 """What can go wrong in a learner, by name; each message says it in one sentence."""
 
-import math
 from collections.abc import Hashable
 from numbers import Integral, Real
 
@@ -73,7 +72,9 @@ def check_range(name: str, value: float, low: float, high: float = MOST) -> None
         ParameterError: if the value is outside, or not a number.
     """
     if not is_within(value, low, high):
-        raise ParameterError(f"{name} is {shown(value)}, which is not in [{low}, {high}]")
+        raise ParameterError(
+            f"{name} is {shown(value)}, which is not in [{low}, {high}]"
+        )
 
 
 def check_whole(name: str, value: int, low: int, high: int) -> None:

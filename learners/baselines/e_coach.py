@@ -41,6 +41,15 @@ class ECoach(Coach):
         check_range("gamma", self.gamma, 0.0, 1.0)
         check_whole("episode", self.episode, 1, 10**9)
 
+    def check_loaded(self) -> None:
+        """Refuse a file with more entries than an episode has.
+
+        Raises:
+            LearnerError: if there are.
+        """
+        super().check_loaded()
+        check_whole("elapsed", self.elapsed, 0, self.episode)
+
     def learn(self, experience: Experience) -> None:
         """Learn from one entry; a new episode begins when the last one is full.
 

@@ -10,6 +10,7 @@ together with the right behavior of each state.
 import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from learners.errors import (
     LEAST,
@@ -51,6 +52,7 @@ class ISabl(CreditedLearner):
         elapsed: entries so far.
     """
 
+    columns: ClassVar[int] = _KINDS
     error: float = field(default=0.1, kw_only=True)
     period: int = field(default=10, kw_only=True)
     prior: float = field(default=2.0, kw_only=True)
@@ -66,6 +68,17 @@ class ISabl(CreditedLearner):
         if not (is_within(self.error, LEAST, 0.5) and self.error < 0.5):
             raise ParameterError(f"error is {shown(self.error)}, not in (0, 1/2)")
         self.table = QTable(n_behaviors=_KINDS * self.n_behaviors)
+
+    def check_loaded(self) -> None:
+        """Refuse a file in which people never, or always, keep silent.
+
+        Raises:
+            LearnerError: if a probability has no logarithm.
+        """
+        super().check_loaded()
+        for name in ("silence_right", "silence_wrong"):
+            check_range(name, getattr(self, name), LEAST, 1.0 - LEAST)
+        check_whole("elapsed", self.elapsed, 0, 2**63)
 
     def _values(self, state: Hashable) -> Sequence[float]:
         """Probability of each behavior to be the right one in a state."""

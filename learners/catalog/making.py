@@ -53,4 +53,6 @@ def _no_such(what: str, name: object, known: Mapping[str, Any] | frozenset[str])
     allowed = sorted(known)
     near = difflib.get_close_matches(str(name)[:LONGEST], allowed, n=1)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    return f"there is no {what} called {shown(name)}{hint} (allowed: {', '.join(allowed)})"
+    return (
+        f"there is no {what} called {shown(name)}{hint} (allowed: {', '.join(allowed)})"
+    )

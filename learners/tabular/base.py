@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +58,9 @@ class CreditedLearner(ABC):
         table: what was learned, a row for each part of a state.
     """
 
+    columns: ClassVar[int] = 1
+    """Of the table, for each behavior."""
+
     n_behaviors: int
     rng: np.random.Generator
     _: KW_ONLY
@@ -91,6 +94,15 @@ class CreditedLearner(ABC):
         self.history = History(horizon=self.horizon)
         self.network = SituationNetwork()
         self.table = QTable(n_behaviors=self.n_behaviors)
+
+    def check_loaded(self) -> None:
+        """Refuse a table that is not this learner's.
+
+        Raises:
+            SavedFileError: if it has another number of columns.
+        """
+        if self.table.n_behaviors != self.columns * self.n_behaviors:
+            raise SavedFileError("the table is not as wide as the learner needs it")
 
     @property
     def credits(self) -> tuple[Credit, ...]:

@@ -40,6 +40,10 @@ DATES = (
 """TOML has them, and nothing of ours asks for one."""
 
 
+LARGEST = 20_000
+"""Items or characters: this process, too, has to keep what it makes up."""
+
+
 def nested(depth: int) -> list[Any]:
     """Lists in lists."""
     data: list[Any] = []
@@ -175,13 +179,18 @@ def changed(draw: Any, data: Any, kind: Any, most: int = 4) -> Any:
 
 @st.composite
 def _changed_once(draw: Any, data: Any, kind: Any, gentle: bool) -> Any:
-    keys = list(data) if isinstance(data, dict) else list(range(_length(data)))
+    keys = (
+        list(data)
+        if isinstance(data, dict)
+        else list(range(_length(data) if isinstance(data, list) else 0))
+    )
     record = kind and record_in(kind)
     if record is not None and isinstance(data, dict):
         keys += [name for name in fields_of(record) if name not in data]
     if not keys or draw(st.sampled_from((False,) * 30 + (not gentle,))):
         return draw(_exchanged(data, kind, gentle))
-    key = draw(st.sampled_from(keys))
+    parts = [key for key in keys if _has(data, key) and _length(data[key])]
+    key = draw(st.sampled_from(keys + parts * 3))  # Most of it lies deeper.
     inner = _inside(kind, key, len(data))
     if isinstance(data, dict):
         return draw(_changed_table(data, key, inner, gentle))
@@ -225,7 +234,11 @@ def _changed_table(
 
 
 def _length(data: Any) -> int:
-    return len(data) if isinstance(data, list) else 0
+    return len(data) if isinstance(data, dict | list) else 0
+
+
+def _has(data: Any, key: Any) -> bool:
+    return not isinstance(data, dict) or key in data
 
 
 @st.composite
@@ -247,6 +260,8 @@ def _exchanged(draw: Any, data: Any, kind: Any, gentle: bool) -> Any:
 
 
 def _enlarged(data: Any, factor: int) -> Any:
+    if isinstance(data, dict | list | str) and len(data) * factor > LARGEST:
+        return data
     if isinstance(data, dict):
         return {f"{key}_{i}": v for key, v in data.items() for i in range(factor)}
     if data is None or isinstance(data, bool | datetime.date | datetime.time):

@@ -1,5 +1,7 @@
 """Homes and families of households."""
 
+import numpy as np
+
 from household.errors import HouseholdError
 from household.home.check import checked, problems
 from household.home.floorplan import load_floorplan
@@ -7,8 +9,6 @@ from household.home.standing import standing_room
 from household.scenario.family import draw, load_family
 from household.scenario.files import check_file
 from household.scenario.validation import load_scenario
-
-import numpy as np
 
 from .inputs import families, homes, told, written
 from .living import live

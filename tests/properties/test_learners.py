@@ -99,7 +99,7 @@ def entries(draw):
 
 def experiences(learner, lived):
     """Fifty entries of a life that repeats itself."""
-    time, spans = 0.0, [(lived * ENTRIES)[i] for i in range(ENTRIES + 1)]
+    time, spans = 0.0, [(lived * (ENTRIES + 1))[i] for i in range(ENTRIES + 1)]
     for (state, length, touch), (following, *_) in zip(spans, spans[1:], strict=False):
         end = time + length
         rewards = ()
@@ -136,7 +136,7 @@ def lives(learner, lived, others=()):
         values = learner.q_values(experience.state)
         assert values.shape == (BEHAVIORS,)
         assert np.isfinite(values).all()
-        assert all(0.0 < w for credit in learner.credits for _, w in credit.shares)
+        assert all(w > 0.0 for credit in learner.credits for _, w in credit.shares)
         for other in others:
             assert other.act(experience.state) == experience.action
             other.learn(experience)
@@ -159,7 +159,11 @@ def test_a_learner_is_refused_in_one_line_or_learns_and_goes_on_from_its_file(
         (name, settings), lived = data
         try:
             learner = make_learner(
-                name, BEHAVIORS, np.random.default_rng(1), **made(settings), **world(name)
+                name,
+                BEHAVIORS,
+                np.random.default_rng(1),
+                **made(settings),
+                **world(name),
             )
         except LearnerError as error:
             one_line(error)
@@ -184,13 +188,17 @@ ODD_FIELDS = st.dictionaries(
 
 
 def test_what_cannot_be_lived_through_is_refused_and_teaches_nothing(explore, tmp_path):
-    usual = {"state": "s", "action": 0, "next_state": "t", "time": 1.0, "next_time": 2.0}
+    usual = {
+        "state": "s",
+        "action": 0,
+        "next_state": "t",
+        "time": 1.0,
+        "next_time": 2.0,
+    }
 
     def check(data):
         name, fields = data
-        learner = make_learner(
-            name, BEHAVIORS, np.random.default_rng(1), **world(name)
-        )
+        learner = make_learner(name, BEHAVIORS, np.random.default_rng(1), **world(name))
         learner.save(tmp_path / "before.json")
         try:
             learner.learn(Experience(**(usual | fields)))
@@ -203,7 +211,9 @@ def test_what_cannot_be_lived_through_is_refused_and_teaches_nothing(explore, tm
         assert np.isfinite(learner.q_values("s")).all()
         return "accepted"
 
-    explore(st.tuples(st.sampled_from(("q_social", "designated")), ODD_FIELDS), check, 60)
+    explore(
+        st.tuples(st.sampled_from(("q_social", "designated")), ODD_FIELDS), check, 60
+    )
 
 
 ODD_TOUCHES = st.dictionaries(
@@ -233,7 +243,11 @@ def saved(tmp_path_factory):
     """The content of a file of each learner that has lived."""
     folder, contents = tmp_path_factory.mktemp("saved"), {}
     lived = [
-        (Situation.of({"ann": "playing"}, [("ann", "robot_0")]), 2.0, (1.0, "ann", 0.5, 0.2, 0.1)),
+        (
+            Situation.of({"ann": "playing"}, [("ann", "robot_0")]),
+            2.0,
+            (1.0, "ann", 0.5, 0.2, 0.1),
+        ),
         (Situation.of({"ann": "reading", "ben": "playing"}), 3.0, None),
         (Situation.of({"ben": "reading"}), 1.0, (-0.5, "ben", 0.9, 0.5, 0.5)),
     ]
@@ -249,8 +263,16 @@ def saved(tmp_path_factory):
 def test_a_strangers_learner_is_refused_in_one_line_or_learns(explore, saved, tmp_path):
     path = tmp_path / "stranger.json"
     lived = [
-        (Situation.of({"ann": "playing"}, [("ann", "robot_0")]), 2.0, (1.0, "ann", 0.5, 0.2, 0.1)),
-        (Situation.of({"ann": "reading", "ben": "reading"}), 3.0, (-1.0, "ben", 0.5, 0.2, 0.1)),
+        (
+            Situation.of({"ann": "playing"}, [("ann", "robot_0")]),
+            2.0,
+            (1.0, "ann", 0.5, 0.2, 0.1),
+        ),
+        (
+            Situation.of({"ann": "reading", "ben": "reading"}),
+            3.0,
+            (-1.0, "ben", 0.5, 0.2, 0.1),
+        ),
     ]
 
     def check(case):
