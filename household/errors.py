@@ -31,7 +31,7 @@ def choose_from(name: object, allowed: Iterable[str], what: str) -> str:
     names = sorted(allowed)
     near = difflib.get_close_matches(str(name)[:LONGEST], names, n=1)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    listed = ", ".join(names[:MOST_NAMES])
+    listed = ", ".join(map(shown_path, names[:MOST_NAMES]))
     more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
     return f"unknown {what} {shown(name)}{hint} (allowed: {listed}{more})"
 

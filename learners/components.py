@@ -22,7 +22,7 @@ from learners.baselines.travel_posterior import TravelPosterior
 from learners.baselines.uniform_window import UniformWindow
 from learners.catalog.situations import rates_of_people
 from learners.credit.rules import Designated, Immediate, Trace
-from learners.errors import ParameterError, UnknownNameError
+from learners.errors import LONGEST, ParameterError, UnknownNameError, shown
 from learners.exploration import (
     EpsilonGreedy,
     Greedy,
@@ -154,7 +154,7 @@ def _component(setting: str, value: object) -> object:
     try:
         return make(**{setting: _frozen(value) for setting, value in own.items()})
     except TypeError as error:
-        raise ParameterError(f"{setting} {name!r}: {error}") from error
+        raise ParameterError(f"{setting} {shown(name)}: {error}") from error
 
 
 def _frozen(value: object) -> object:
@@ -166,6 +166,6 @@ def _known(setting: str, name: str) -> Callable[..., object]:
     known = COMPONENTS[setting]
     if name in known:
         return known[name]
-    near = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.0)
+    near = difflib.get_close_matches(name[:LONGEST], sorted(known), n=1, cutoff=0.0)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    raise UnknownNameError(f"there is no {setting} called {name!r}{hint}")
+    raise UnknownNameError(f"there is no {setting} called {shown(name)}{hint}")

@@ -1,10 +1,9 @@
 """What a robot lived through: touches, and the entries of its history."""
 
-import math
 from collections.abc import Hashable
 from dataclasses import dataclass
 
-from learners.errors import ExperienceError
+from learners.errors import LATEST, ExperienceError, check_hashable, is_within, shown
 from learners.saving import saved
 
 
@@ -37,21 +36,28 @@ class Reward:
     attention_began: float | None = None
 
     def __post_init__(self) -> None:
-        if not -1.0 <= self.value <= 1.0:  # catches NaN too
-            raise ExperienceError(f"reward value {self.value} is not in [-1, 1]")
-        if not -1.0 <= self.mood <= 1.0:
-            raise ExperienceError(f"mood {self.mood} is not in [-1, 1]")
-        if not math.isfinite(self.time):
-            raise ExperienceError(f"reward time {self.time} is not finite")
+        if not is_within(self.value, -1.0, 1.0):
+            raise ExperienceError(f"reward value {shown(self.value)} is not in [-1, 1]")
+        if not is_within(self.mood, -1.0, 1.0):
+            raise ExperienceError(f"mood {shown(self.mood)} is not in [-1, 1]")
+        _check_time("reward time", self.time)
+        check_hashable("the giver", self.giver)
         self._check_began("approach", self.approach_began)
         self._check_began("attention", self.attention_began)
 
     def _check_began(self, what: str, began: float | None) -> None:
-        if began is not None and not (math.isfinite(began) and began <= self.time):
+        if began is not None and not is_within(began, -LATEST, self.time):
             raise ExperienceError(
-                f"{what} began at {began} s, which is not before the touch at "
+                f"{what} began at {shown(began)} s, which is not before the touch at "
                 f"{self.time} s"
             )
+
+
+def _check_time(what: str, time: float) -> None:
+    if not is_within(time, -LATEST, LATEST):
+        raise ExperienceError(
+            f"{what} {shown(time)} s is not finite, or beyond {LATEST:.0e} s"
+        )
 
 
 @saved
@@ -88,15 +94,19 @@ class Experience:
     chosen: bool = True
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.time) and math.isfinite(self.next_time)):
-            raise ExperienceError(
-                f"entry from {self.time} to {self.next_time} s is not finite"
-            )
+        _check_time("the beginning of an entry,", self.time)
+        _check_time("the end of an entry,", self.next_time)
+        check_hashable("the state", self.state)
+        check_hashable("the next state", self.next_state)
         if self.next_time < self.time:
             raise ExperienceError(
                 f"entry ends at {self.next_time} s, before it began at {self.time} s"
             )
+        if not isinstance(self.rewards, tuple):
+            raise ExperienceError(f"rewards are {shown(self.rewards)}, no tuple")
         for touch in self.rewards:
+            if not isinstance(touch, Reward):
+                raise ExperienceError(f"{shown(touch)} is no reward")
             if touch.time > self.next_time:
                 raise ExperienceError(
                     f"reward at {touch.time} s comes from the future: the entry "

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from learners.analogy.carrying import Analogy
-from learners.errors import ParameterError, check_range
+from learners.errors import ParameterError, check_part, check_range
 from learners.experience import Experience, Reward
 from learners.learner import Credit
 from learners.representation.situations import Named
@@ -96,6 +96,8 @@ class QLearner(CreditedLearner):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_range("gamma", self.gamma, 0.0, 1.0)
+        check_part("rate", self.rate, "__call__")
+        check_part("analogy", self.analogy, "spread", "between_named_situations")
         if self.gamma == 1.0:
             raise ParameterError("gamma is 1, and values would have no bound")
         by_name = isinstance(self.representation, Named)

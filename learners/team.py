@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learners.catalog import make_learner
-from learners.errors import ParameterError, UnknownRobotError, check_range
+from learners.errors import ParameterError, UnknownRobotError, check_range, shown
 from learners.expectation import ExpectedTouch
 from learners.experience import Experience
 from learners.learner import Credit, Learner
@@ -64,8 +64,8 @@ class Team:
     def __post_init__(self) -> None:
         check_range("strength", self.strength, 0.0, 1.0)
         if self.sharing not in ("independent", "shared", "carried"):
-            raise ParameterError(f"there is no sharing called {self.sharing!r}")
-        if not self.members:
+            raise ParameterError(f"there is no sharing called {shown(self.sharing)}")
+        if not (self.members and isinstance(self.members, dict)):
             raise ParameterError("a team needs at least one robot")
         members = list(self.members.values())
         all_q_learners = all(isinstance(each, QLearner) for each in members)

@@ -11,6 +11,7 @@ from household.compiled.jit import CHECKED
 from household.config.toml import shipped
 from household.feedback import Cause
 from household.home.floorplan import Door, FloorPlan, Furniture, Region, Wall
+from household.home.geometry import distance_to_box, distance_to_segments
 from household.people.mind import Appraisals, Condition, Percepts, Surroundings
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario, ScriptStep
 
@@ -177,3 +178,18 @@ def random_actions():
             yield {agent: int(rng.integers(n)) for agent in env.possible_agents}
 
     return stream
+
+
+@pytest.fixture(scope="session")
+def deepest():
+    """Measures how far bodies overlap walls and furniture [m]; negative: clear."""
+
+    def measure(plan, position, radius):
+        gap = distance_to_segments(position, plan.wall_segments).min(axis=1)
+        depth = plan.wall_thickness / 2 + radius - gap
+        for box in plan.furniture:
+            away = distance_to_box(position, box.center, box.size, box.angle)
+            depth = np.maximum(depth, radius - away)
+        return float(depth.max())
+
+    return measure

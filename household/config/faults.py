@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from functools import cache
+from itertools import islice
 from typing import Annotated, Any, Literal, NamedTuple, get_args, get_origin
 
 import msgspec
@@ -77,8 +78,22 @@ def faults(data: Any, kind: Any, path: str = "") -> Iterator[Fault]:
     Yields:
         Each fault with its path and with what is allowed.
     """
-    within = tuple(_inner_faults(data, kind, path))
-    yield from within or _own_faults(data, kind, path)
+    within = _inner_faults(data, kind, path)
+    first = next(within, None)
+    if first is None:
+        yield from _own_faults(data, kind, path)
+    else:  # One by one: who wants the first of a million need not wait for the last.
+        yield first
+        yield from within
+
+
+MOST = 100
+"""Faults that are told; who mends so many checks again."""
+
+
+def first_faults(data: Any, kind: Any) -> tuple[Fault, ...]:
+    """The first faults of data, one more than are told if there are more."""
+    return tuple(islice(faults(data, kind), MOST + 1))
 
 
 def _inner_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
@@ -87,9 +102,10 @@ def _inner_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
     if isinstance(data, dict) and record is not None:
         yield from _record_faults(data, record, path)
     elif isinstance(data, dict) and table is not None:
-        for key, value in data.items():
-            yield from faults(key, table[0], path)
-            yield from faults(value, table[1], joined(path, _key(key)))
+        if _is_of_its_size(data, kind):
+            for key, value in data.items():
+                yield from faults(key, table[0], path)
+                yield from faults(value, table[1], joined(path, _key(key)))
     elif isinstance(data, list | tuple):
         items = items_in(kind, len(data))
         if _is_of_its_size(data, kind):
@@ -100,17 +116,25 @@ def _inner_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
 def _record_faults(data: dict[str, Any], record: Any, path: str) -> Iterator[Fault]:
     fields = fields_of(record)
     absent = tuple(joined(path, name) for name in fields if name not in data)
+    unknown = 0
     for name, value in data.items():
         if name in fields:
             yield from faults(value, fields[name].type, joined(path, name))
-        else:
+            continue
+        unknown += 1
+        if unknown <= MOST_UNKNOWN:
             yield Fault(path, choose_from(name, fields, "field"), absent or (_NOWHERE,))
+    if unknown > MOST_UNKNOWN:
+        yield Fault(path, f"{unknown - MOST_UNKNOWN} more unknown fields")
     if data.keys() <= fields.keys():  # Else what seems to be missing is misspelt.
         for name, field in fields.items():
             if field.required and name not in data:
                 text = f"missing required field `{name}`"
                 yield Fault(path, text, (joined(path, name),))
 
+
+MOST_UNKNOWN = 100
+"""Fields of one table to look for the nearest names of, which takes time."""
 
 _NOWHERE = "/"
 """A path that nothing has: all fields are there, and one too many."""
@@ -149,7 +173,7 @@ def _steps(path: str) -> list[str]:
 
 
 def _is_of_its_size(data: Any, kind: Any) -> bool:
-    """Whether a list may have so many items: of a million, nobody looks at each."""
+    """Whether a list or a table may be so long: of a million, nobody looks at each."""
     sizes = [m.max_length for m in _metas(kind) if m.max_length is not None]
     return all(len(data) <= most for most in sizes)
 

@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from household.config.faults import Fault, Sound, faults
+from household.config.faults import MOST, Fault, Sound, first_faults
 from household.config.mending import mended
 from household.config.toml import load, read_toml, shipped
 from household.errors import HouseholdError
@@ -94,8 +94,10 @@ def home_faults(data: dict[str, Any]) -> Iterator[Fault]:
     Yields:
         First what is wrong with single fields, then how the sound ones fit together.
     """
-    wrong = tuple(faults(data, FloorPlan))
+    wrong = first_faults(data, FloorPlan)
     yield from wrong
+    if len(wrong) > MOST:
+        return
     yield from home_misfits(data, wrong)
 
 

@@ -14,7 +14,7 @@ from typing import Annotated, Any, get_args
 import msgspec
 import numpy as np
 
-from household.config.faults import Fault, Sound, faults, joined
+from household.config.faults import MOST, Fault, Sound, first_faults, joined
 from household.config.mending import mended
 from household.config.quantities import Count, FileName, Name, Seed, Share, Text
 from household.config.toml import Record, convert, load, locate, read_toml, shipped
@@ -182,8 +182,10 @@ def family_faults(data: dict[str, Any]) -> Iterator[Fault]:
     Yields:
         First what is wrong with single fields, then how the sound ones fit together.
     """
-    wrong = tuple(faults(data, Family))
+    wrong = first_faults(data, Family)
     yield from wrong
+    if len(wrong) > MOST:
+        return
     if wrong:
         data = mended(data, Family, read_toml(shipped("family")[SPARE]))
     yield from _misfits(msgspec.convert(data, Family), Sound(wrong))

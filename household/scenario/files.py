@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from household.config.faults import Fault, faults
+from household.config.faults import MOST, Fault, faults
 from household.config.toml import Kind, locate, read_toml, shipped
 from household.errors import HouseholdError, choose_from, shown_path
 from household.home.check import home_faults
@@ -18,10 +18,6 @@ from household.scenario.persona import Persona
 from household.scenario.reading import from_its_folder
 from household.scenario.scenario import Scenario
 from household.scenario.validation import scenario_faults
-
-MOST = 100
-"""Faults of one file that are told; who mends so many checks again."""
-
 
 class FileKind(NamedTuple):
     """A kind of file.

@@ -21,6 +21,10 @@ ActivityName = Literal[
 ]
 
 
+FEW = msgspec.Meta(max_length=500)
+"""Of behaviors that a norm is about."""
+
+
 class Norm(Record, frozen=True, kw_only=True):
     """What is thought of each behavior during one activity.
 
@@ -29,11 +33,11 @@ class Norm(Record, frozen=True, kw_only=True):
         absorbed: The same to a person whose attention is elsewhere.
     """
 
-    attending: dict[str, Value] = msgspec.field(default_factory=dict)
-    absorbed: dict[str, Value] = msgspec.field(default_factory=dict)
+    attending: Annotated[dict[str, Value], FEW] = msgspec.field(default_factory=dict)
+    absorbed: Annotated[dict[str, Value], FEW] = msgspec.field(default_factory=dict)
 
 
-Norms = dict[ActivityName, Norm]
+Norms = Annotated[dict[ActivityName, Norm], FEW]
 
 
 @lru_cache(maxsize=1)

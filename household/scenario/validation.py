@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from household.config.faults import Fault, Sound, faults
+from household.config.faults import MOST, Fault, Sound, first_faults
 from household.config.mending import mended
 from household.config.toml import read_toml, shipped
 from household.errors import HouseholdError
@@ -52,8 +52,10 @@ def scenario_faults(fields: dict[str, Any]) -> Iterator[Fault]:
     Yields:
         First what is wrong with single fields, then how the sound ones fit together.
     """
-    wrong, home = tuple(faults(fields, Scenario)), fields.get("home")
+    wrong, home = first_faults(fields, Scenario), fields.get("home")
     yield from wrong
+    if len(wrong) > MOST:
+        return
     if wrong:
         fields = mended(fields, Scenario, read_toml(shipped("scenario")[SPARE]))
     yield from _misfits_of_faulty(home)
@@ -62,5 +64,5 @@ def scenario_faults(fields: dict[str, Any]) -> Iterator[Fault]:
 
 def _misfits_of_faulty(home: object) -> Iterator[Fault]:
     """What else is wrong with a home in the file, some of whose fields are."""
-    if isinstance(home, dict) and (wrong := tuple(faults(home, FloorPlan))):
+    if isinstance(home, dict) and (wrong := first_faults(home, FloorPlan)):
         yield from (fault.under("home") for fault in home_misfits(home, wrong))

@@ -7,7 +7,7 @@ from typing import ClassVar
 from learners.analogy.carrying import Analogy
 from learners.errors import check_range
 from learners.experience import Experience, Reward
-from learners.pooling.agreement import Agreement, Sums
+from learners.pooling.agreement import Agreement, Sums, check_sums
 from learners.pooling.partial import pooled
 from learners.representation.states import as_state
 from learners.saving import DERIVED, saved
@@ -58,6 +58,16 @@ class AdaptiveAnalogy(Agreement, Analogy):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_range("silence", self.silence, 0.0, 1.0)
+
+    def check_loaded(self) -> None:
+        """Refuse touches that nobody can have given.
+
+        Raises:
+            SavedFileError: if their number is below 0.
+        """
+        super().check_loaded()
+        for told in self._told.values():
+            check_sums(told.values(), 0)
 
     def class_row(self, state: Hashable) -> Hashable:
         """Row of the state's class; apart from the representative's own row.

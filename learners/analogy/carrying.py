@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import ClassVar
 
 from learners.analogy.operators import Operator, SwapRoles
-from learners.errors import check_range
+from learners.errors import ParameterError, check_range, check_whole, shown
 from learners.experience import Experience, Reward
 from learners.representation.states import is_state
 from learners.saving import DERIVED, saved
@@ -90,8 +90,10 @@ class Propagation(Analogy):
 
     def __post_init__(self) -> None:
         check_range("strength", self.strength, 0.0, 1.0)
-        check_range("depth", self.depth, 1)
-        check_range("limit", self.limit, 0)
+        check_whole("depth", self.depth, 1, 1000)
+        check_whole("limit", self.limit, 0, 10**6)
+        if not all(map(callable, self.operators)):
+            raise ParameterError(f"operators are {shown(self.operators)}, no functions")
 
     def spread(self, state: Hashable) -> Sequence[tuple[Hashable, float]]:
         """The state itself, then its analogs, nearest first."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
 
-from learners.errors import check_range
+from learners.errors import check_whole
 from learners.representation.states import as_state
 from learners.saving import saved
 
@@ -53,7 +53,7 @@ class RemoveEntity:
     keep: int = 1
 
     def __post_init__(self) -> None:
-        check_range("keep", self.keep, 0)
+        check_whole("keep", self.keep, 0, 10**6)
 
     def __call__(self, state: Hashable) -> Iterator[Hashable]:
         """All states with one entity left out."""

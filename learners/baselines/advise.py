@@ -9,7 +9,7 @@ import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 
-from learners.errors import ParameterError
+from learners.errors import ParameterError, is_within, shown
 from learners.exploration import draw
 from learners.learner import Credit
 from learners.saving import saved
@@ -34,8 +34,11 @@ class Advise(CreditedLearner):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not 0.5 < self.consistency < 1.0:
-            raise ParameterError(f"consistency is {self.consistency}, not in (1/2, 1)")
+        known = is_within(self.consistency, 0.5, 1.0)
+        if not (known and 0.5 < self.consistency < 1.0):
+            raise ParameterError(
+                f"consistency is {shown(self.consistency)}, not in (1/2, 1)"
+            )
 
     def _values(self, state: Hashable) -> Sequence[float]:
         """Probability of each behavior to be the right one."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from learners.credit.history import History
 from learners.credit.rules import CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
+from learners.errors import SavedFileError
 from learners.experience import Reward
 from learners.exploration import Exploration, Greedy
 from learners.learner import Credit
@@ -74,6 +75,16 @@ class BestConstant(Oracle):
     def __post_init__(self) -> None:
         super().__post_init__()
         self.total = np.zeros(self.n_behaviors)
+
+    def check_loaded(self) -> None:
+        """Refuse a sum of other behaviors.
+
+        Raises:
+            SavedFileError: if it has another length.
+        """
+        super().check_loaded()
+        if self.total.shape != (self.n_behaviors,):
+            raise SavedFileError("total is not as long as there are behaviors")
 
     def act(self, state: Hashable) -> int:
         """Take the state into the average, then choose the best of it."""

@@ -11,9 +11,15 @@ from dataclasses import dataclass
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
 from learners.credit.transitions import SituationNetwork
-from learners.errors import check_positive, check_range
+from learners.errors import check_positive, check_whole
 from learners.experience import Reward
 from learners.saving import saved
+
+MOST_SHAPE = 100
+"""Powers of a delay stay numbers."""
+
+_SURELY = 746.0
+"""Scales after which a density is over: exp(-746) is nothing for floating point."""
 
 
 @saved
@@ -34,7 +40,7 @@ class DelayDensity(CreditRule):
     scale: float = 1.5
 
     def __post_init__(self) -> None:
-        check_range("shape", self.shape, 1)
+        check_whole("shape", self.shape, 1, MOST_SHAPE)
         check_positive("scale", self.scale)
 
     def weigh(
@@ -59,5 +65,7 @@ class DelayDensity(CreditRule):
     def cumulative(self, delay: float) -> float:
         """Probability of a delay up to so many seconds (Erlang distribution)."""
         x = max(delay, 0.0) / self.scale
+        if x > _SURELY:
+            return 1.0
         terms = sum(x**k / math.factorial(k) for k in range(self.shape))
         return 1.0 - math.exp(-x) * terms

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from learners.baselines.coach import Coach, DelayedTrace
 from learners.credit.rules import CreditRule
-from learners.errors import check_range
+from learners.errors import check_range, check_whole
 from learners.experience import Experience
 from learners.saving import saved
 from learners.tabular.cells import Cell
@@ -39,7 +39,16 @@ class ECoach(Coach):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_range("gamma", self.gamma, 0.0, 1.0)
-        check_range("episode", self.episode, 1)
+        check_whole("episode", self.episode, 1, 10**9)
+
+    def check_loaded(self) -> None:
+        """Refuse a file with more entries than an episode has.
+
+        Raises:
+            LearnerError: if there are.
+        """
+        super().check_loaded()
+        check_whole("elapsed", self.elapsed, 0, self.episode)
 
     def learn(self, experience: Experience) -> None:
         """Learn from one entry; a new episode begins when the last one is full.

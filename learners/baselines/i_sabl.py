@@ -10,8 +10,16 @@ together with the right behavior of each state.
 import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
+from typing import ClassVar
 
-from learners.errors import ParameterError, check_positive, check_range
+from learners.errors import (
+    LEAST,
+    ParameterError,
+    check_range,
+    check_whole,
+    is_within,
+    shown,
+)
 from learners.learner import Credit
 from learners.saving import saved
 from learners.tabular.base import CreditedLearner
@@ -44,6 +52,7 @@ class ISabl(CreditedLearner):
         elapsed: entries so far.
     """
 
+    columns: ClassVar[int] = _KINDS
     error: float = field(default=0.1, kw_only=True)
     period: int = field(default=10, kw_only=True)
     prior: float = field(default=2.0, kw_only=True)
@@ -53,11 +62,23 @@ class ISabl(CreditedLearner):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_range("period", self.period, 1)
-        check_positive("prior", self.prior)
-        if not 0.0 < self.error < 0.5:
-            raise ParameterError(f"error is {self.error}, not in (0, 1/2)")
+        check_whole("period", self.period, 1, 10**9)
+        # Below, a probability of nothing would have no logarithm.
+        check_range("prior", self.prior, 1e-3)
+        if not (is_within(self.error, LEAST, 0.5) and self.error < 0.5):
+            raise ParameterError(f"error is {shown(self.error)}, not in (0, 1/2)")
         self.table = QTable(n_behaviors=_KINDS * self.n_behaviors)
+
+    def check_loaded(self) -> None:
+        """Refuse a file in which people never, or always, keep silent.
+
+        Raises:
+            LearnerError: if a probability has no logarithm.
+        """
+        super().check_loaded()
+        for name in ("silence_right", "silence_wrong"):
+            check_range(name, getattr(self, name), LEAST, 1.0 - LEAST)
+        check_whole("elapsed", self.elapsed, 0, 2**63)
 
     def _values(self, state: Hashable) -> Sequence[float]:
         """Probability of each behavior to be the right one in a state."""

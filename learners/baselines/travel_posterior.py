@@ -75,10 +75,11 @@ class TravelPosterior(CreditRule):
         return self._density(delay) * (1.0 if seen else self.unseen)
 
     def _density(self, delay: float) -> float:
-        if delay <= 0.0:
+        if delay <= _AT_ONCE:
             return 0.0
         z = math.log(delay / self.reaction) / self.spread
         return math.exp(-0.5 * z * z) / (delay * self.spread * _ROOT)
 
 
+_AT_ONCE = 1e-300  # [s]; what is divided by less has no value in floating point
 _ROOT = math.sqrt(2.0 * math.pi)

@@ -29,6 +29,7 @@ class UniformWindow(CreditRule):
 
     def __post_init__(self) -> None:
         check_range("nearest", self.nearest, 0.0)
+        check_range("furthest", self.furthest, 0.0)
         if not self.furthest > self.nearest:
             raise ParameterError(
                 f"the window from {self.furthest} to {self.nearest} s ago is empty"

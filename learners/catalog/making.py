@@ -10,7 +10,7 @@ from learners.catalog.baselines import BASELINES
 from learners.catalog.paper import PAPER
 from learners.catalog.recipe import Recipes
 from learners.catalog.situations import SITUATIONS
-from learners.errors import ParameterError, UnknownNameError
+from learners.errors import LONGEST, ParameterError, UnknownNameError, shown
 from learners.learner import Learner
 
 CATALOG: Recipes = {**PAPER, **SITUATIONS, **BASELINES}
@@ -33,7 +33,7 @@ def make_learner(
         UnknownNameError: if there is no such learner or setting, naming the nearest.
         ParameterError: if a setting is out of range, or one that it needs is missing.
     """
-    recipe = CATALOG.get(name)
+    recipe = CATALOG.get(name) if isinstance(name, str) else None
     if recipe is None:
         raise UnknownNameError(_no_such("learner", name, CATALOG))
     for given in overrides:
@@ -49,8 +49,10 @@ def make_learner(
     return cast(Learner, recipe.kind(n_behaviors, rng, **components))
 
 
-def _no_such(what: str, name: str, known: Mapping[str, Any] | frozenset[str]) -> str:
+def _no_such(what: str, name: object, known: Mapping[str, Any] | frozenset[str]) -> str:
     allowed = sorted(known)
-    near = difflib.get_close_matches(name, allowed, n=1)
+    near = difflib.get_close_matches(str(name)[:LONGEST], allowed, n=1)
     hint = f"; did you mean {near[0]!r}?" if near else ""
-    return f"there is no {what} called {name!r}{hint} (allowed: {', '.join(allowed)})"
+    return (
+        f"there is no {what} called {shown(name)}{hint} (allowed: {', '.join(allowed)})"
+    )

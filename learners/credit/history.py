@@ -3,7 +3,7 @@
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
-from learners.errors import ExperienceError, check_positive
+from learners.errors import ExperienceError, SavedFileError, check_positive
 from learners.experience import Experience
 from learners.saving import saved
 
@@ -49,6 +49,16 @@ class History:
 
     def __len__(self) -> int:
         return len(self.entries)
+
+    def check_loaded(self) -> None:
+        """Refuse a history that nobody can have lived through.
+
+        Raises:
+            SavedFileError: if its lists differ in length, or it is out of order.
+        """
+        times = [entry.time for entry in self.entries]
+        if len(self.exploratory) != len(times) or times != sorted(times):
+            raise SavedFileError("the history is out of order")
 
     def check(self, experience: Experience) -> None:
         """Refuse an entry that cannot follow, or a touch older than all entries.

@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple
 from learners.credit.heuristics import BeforeApproach, Heuristic
 from learners.credit.history import History
 from learners.credit.transitions import SituationNetwork
-from learners.errors import check_positive, check_range
+from learners.errors import ParameterError, check_positive, check_range, shown
 from learners.experience import Reward
 from learners.saving import saved
 
@@ -138,6 +138,9 @@ def reach(reward: float, sigma_stm: float, sigma_rwd: float, *, squared: bool) -
     return sigma_stm * math.exp(-0.5 * (lack * lack if squared else lack))
 
 
+_BEYOND = 40.0  # sigmas, where exp(-800) is nothing for floating point
+
+
 def eligibility(seconds: float, reach: float) -> float:
     """The paper's eligibility discount in time, without its transition probability.
 
@@ -149,7 +152,9 @@ def eligibility(seconds: float, reach: float) -> float:
 
     Source: section 3.1 of the paper, as printed.
     """
-    return math.exp(-0.5 * (seconds / reach) ** 2)
+    if seconds > _BEYOND * reach:  # Also where the reach is nothing.
+        return 0.0
+    return math.exp(-0.5 * (seconds / reach) ** 2) if seconds else 1.0
 
 
 @saved
@@ -178,6 +183,8 @@ class Designated(CreditRule):
     squared: bool = False
 
     def __post_init__(self) -> None:
+        if not callable(self.heuristic):
+            raise ParameterError(f"heuristic is {shown(self.heuristic)}, no function")
         check_positive("sigma_stm", self.sigma_stm)
         check_positive("sigma_rwd", self.sigma_rwd)
 

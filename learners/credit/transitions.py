@@ -3,6 +3,7 @@
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
+from learners.errors import check_whole
 from learners.saving import saved
 
 
@@ -18,6 +19,16 @@ class SituationNetwork:
     counts: dict[tuple[Hashable, int], dict[Hashable, int]] = field(
         default_factory=dict, init=False, repr=False
     )
+
+    def check_loaded(self) -> None:
+        """Refuse transitions that were counted and never happened.
+
+        Raises:
+            LearnerError: if a count is below 1.
+        """
+        for followers in self.counts.values():
+            for count in followers.values():
+                check_whole("the count of a transition", count, 1, 2**63)
 
     def count(self, state: Hashable, action: int, next_state: Hashable) -> None:
         """Count one transition."""

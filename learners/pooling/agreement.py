@@ -1,11 +1,14 @@
 """Agreement: learning from what people do how much one of them says about another."""
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
 
-from learners.errors import check_positive, check_range
+from learners.errors import SavedFileError, check_positive, check_range, shown
 
 Sums = list[float]
+
+MOST_SUM = 1e30
+"""Of a sum in a file: no number of touches comes to it."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -36,6 +39,14 @@ class Agreement:
         check_positive("prior_weight", self.prior_weight)
         check_positive("noise", self.noise)
 
+    def check_loaded(self) -> None:
+        """Refuse sums that no comparisons add up to.
+
+        Raises:
+            SavedFileError: if they are no pairs, or squares sum up to less than 0.
+        """
+        check_sums([self._agreed_all, *self._agreed.values()], 1)
+
     def trust_in_all(self) -> float:
         """How far people agree at large, in [0, 1]; as much is a stranger trusted."""
         return _slope(self._agreed_all, self.prior_trust, self.prior_weight)
@@ -58,6 +69,17 @@ class Agreement:
         for sums in (agreed, self._agreed_all):
             sums[0] += value * prediction
             sums[1] += weight * prediction**2
+
+
+def check_sums(pairs: Iterable[Sequence[float]], positive: int) -> None:
+    """Refuse pairs of sums from a file, one of which cannot be below 0.
+
+    Raises:
+        SavedFileError: if they are no pairs, or that one is below 0.
+    """
+    for pair in pairs:
+        if len(pair) != 2 or pair[positive] < 0.0 or max(map(abs, pair)) > MOST_SUM:
+            raise SavedFileError(f"a pair of sums is {shown(pair)}, which it cannot be")
 
 
 def _slope(sums: Sequence[float], prior: float, weight: float) -> float:

@@ -21,6 +21,8 @@ def borrowed(n_own: float, trust: float, noise: float) -> float:
     if trust <= 0.0:
         return 0.0
     worth = noise * trust
+    if worth <= 0.0:  # Too little for floating point.
+        return 0.0
     return trust * worth / (n_own * (1.0 - trust) + worth)
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import ClassVar, NamedTuple
 
+from learners.errors import ParameterError, shown
 from learners.representation.parts import Part, Representation
 from learners.representation.states import View, as_viewed
 from learners.saving import saved
@@ -56,6 +57,11 @@ class Views(Representation):
 
     by_person: ClassVar[bool] = True
     relations: tuple[str, ...] = ("plays", "attends")
+
+    def __post_init__(self) -> None:
+        known = isinstance(self.relations, tuple)
+        if not (known and all(isinstance(each, str) for each in self.relations)):
+            raise ParameterError(f"relations are {shown(self.relations)}, no names")
 
     def parts(self, state: Hashable) -> tuple[Part, ...]:
         """The view of each, by person."""

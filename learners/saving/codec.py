@@ -3,7 +3,8 @@
 A saved class is registered with `@saved`. Dataclasses need nothing more; any other
 class (a state, say) provides `to_data()` and the class method `from_data(data)`, built
 of None, bool, int, float, str, tuple, list, dict, set, frozenset and registered
-classes. A field with `metadata=ATTACHED` (a callable into the world) is not written
+classes. What is read must be what the fields are annotated with; a class that knows more
+of how they fit together says so in `check_loaded`. A field with `metadata=ATTACHED` (a callable into the world) is not written
 but given again to `load`; a field with `metadata=DERIVED` is computed anew.
 """
 
@@ -15,7 +16,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from learners.errors import SavedFileError
+from learners.errors import SavedFileError, shown
+from learners.saving.checking import check_fields
 from learners.saving.older import upgraded
 
 ATTACHED: Mapping[str, bool] = {"attached": True}
@@ -151,9 +153,9 @@ class Decoder:
         return data
 
     def _registered(self, name: str) -> Any:  # noqa: ANN401 - class or function
-        if name not in _registry:
+        if not isinstance(name, str) or name not in _registry:
             raise SavedFileError(
-                f"the file needs {name!r}: import it, or register it with "
+                f"the file needs {shown(name)}: import it, or register it with "
                 "learners.saved, before loading"
             )
         return _registry[name]
@@ -170,15 +172,18 @@ class Decoder:
         cls = self._registered(name)
         if hasattr(cls, "from_data"):
             return cls.from_data(self.decode(raw))
-        values = {name: self.decode(value) for name, value in raw.items()}
+        written = {field.name for field in _written_fields(cls)}
+        values = {n: self.decode(value) for n, value in raw.items() if n in written}
+        check_fields(cls, values)
         for each in dataclasses.fields(cls):
             if each.metadata.get("attached"):
                 values[each.name] = self._attachment(cls, each.name)
-        fields = {field.name for field in dataclasses.fields(cls)}
         init = {f.name for f in dataclasses.fields(cls) if f.init} & values.keys()
         made = cls(**{name: values.pop(name) for name in init})
-        for name in fields & values.keys():  # frozen or not, the rest is set as it was
-            object.__setattr__(made, name, values[name])
+        for name, value in values.items():  # frozen or not, the rest is set as it was
+            object.__setattr__(made, name, value)
+        if hasattr(made, "check_loaded"):
+            made.check_loaded()
         return made
 
     def _attachment(self, cls: type, name: str) -> object:

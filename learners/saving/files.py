@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from learners.errors import LearnerError, SavedFileError
+from learners.errors import LearnerError, SavedFileError, shown
 from learners.saving.codec import Decoder, encode
 
 FORMAT = "household-learner"
@@ -60,10 +60,12 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
             raise
         raise SavedFileError(f"{path} is not a saved learner, or cut short") from error
     if name != FORMAT:
-        raise SavedFileError(f"{path} is not a saved learner: its format is {name!r}")
+        raise SavedFileError(
+            f"{path} is not a saved learner: its format is {shown(name)}"
+        )
     if version not in READABLE:
         raise SavedFileError(
-            f"{path} was saved in version {version} of the format; this is {VERSION}"
+            f"{path} was saved in version {shown(version)} of the format; this is {VERSION}"
         )
     if end or digest != _digest(payload):
         raise SavedFileError(
@@ -72,8 +74,8 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
     decoder = Decoder(attached, older=version < VERSION)
     try:
         return decoder.decode(json.loads(payload))
-    except LearnerError:
-        raise
+    except LearnerError as error:
+        raise SavedFileError(f"{path}: {error}") from error
     # A digest tells damage, not who wrote the file: it may hold anything.
     except (
         ArithmeticError,

@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,16 @@ from learners.credit.history import History
 from learners.credit.rules import CreditRule, Immediate, Weighing
 from learners.credit.transitions import SituationNetwork
 from learners.errors import (
+    MOST_BEHAVIORS,
+    ExperienceError,
     ParameterError,
     SavedFileError,
     UnknownBehaviorError,
+    check_hashable,
+    check_part,
     check_range,
+    check_whole,
+    shown,
 )
 from learners.experience import Experience, Reward
 from learners.exploration import Estimates, Exploration, Softmax
@@ -52,6 +58,9 @@ class CreditedLearner(ABC):
         table: what was learned, a row for each part of a state.
     """
 
+    columns: ClassVar[int] = 1
+    """Of the table, for each behavior."""
+
     n_behaviors: int
     rng: np.random.Generator
     _: KW_ONLY
@@ -69,7 +78,13 @@ class CreditedLearner(ABC):
     )
 
     def __post_init__(self) -> None:
-        check_range("n_behaviors", self.n_behaviors, 1)
+        check_whole("n_behaviors", self.n_behaviors, 1, MOST_BEHAVIORS)
+        if not isinstance(self.rng, np.random.Generator):
+            raise ParameterError(f"rng is {shown(self.rng)}, no generator of numpy's")
+        check_part("credit", self.credit, "weigh", "weigh_silence", "shares_error")
+        check_part("exploration", self.exploration, "choose", "needs_posterior")
+        check_part("representation", self.representation, "parts", "by_person")
+        check_part("pooling", self.pooling, "terms", "has_posterior")
         if self.exploration.needs_posterior and not self.has_posterior:
             raise ParameterError(
                 f"{type(self.exploration).__name__} needs a posterior, which a "
@@ -79,6 +94,15 @@ class CreditedLearner(ABC):
         self.history = History(horizon=self.horizon)
         self.network = SituationNetwork()
         self.table = QTable(n_behaviors=self.n_behaviors)
+
+    def check_loaded(self) -> None:
+        """Refuse a table that is not this learner's.
+
+        Raises:
+            SavedFileError: if it has another number of columns.
+        """
+        if self.table.n_behaviors != self.columns * self.n_behaviors:
+            raise SavedFileError("the table is not as wide as the learner needs it")
 
     @property
     def credits(self) -> tuple[Credit, ...]:
@@ -122,7 +146,12 @@ class CreditedLearner(ABC):
         """Learn from the touches of the newest entry, or from its silence."""
 
     def act(self, state: Hashable) -> int:
-        """Choose a behavior, an index in 0 .. n_behaviors - 1."""
+        """Choose a behavior, an index in 0 .. n_behaviors - 1.
+
+        Raises:
+            StateError: if the state has no hash.
+        """
+        check_hashable("the state", state)
         asked = self.exploration
         estimates = Estimates(
             self._values(state),
@@ -132,7 +161,12 @@ class CreditedLearner(ABC):
         return asked.choose(estimates, self.rng)
 
     def q_values(self, state: Hashable) -> NDArray[np.float64]:
-        """Value of every behavior in a state, shape (n_behaviors,); a copy."""
+        """Value of every behavior in a state, shape (n_behaviors,); a copy.
+
+        Raises:
+            StateError: if the state has no hash.
+        """
+        check_hashable("the state", state)
         return np.array(self._values(state), dtype=np.float64)
 
     def learn(self, experience: Experience) -> None:
@@ -144,12 +178,14 @@ class CreditedLearner(ABC):
         Raises:
             LearnerError: if the entry cannot be; what was learned is unchanged.
         """
+        if not isinstance(experience, Experience):
+            raise ExperienceError(f"{shown(experience)} is no experience")
         action = experience.action
         # A float of the right size would fail later, with the history changed.
         known = isinstance(action, int | np.integer) and 0 <= action < self.n_behaviors
         if not known:
             raise UnknownBehaviorError(
-                f"behavior {action} is not one of the {self.n_behaviors} "
+                f"behavior {shown(action)} is not one of the {self.n_behaviors} "
                 f"behaviors 0 .. {self.n_behaviors - 1}"
             )
         self.history.check(experience)

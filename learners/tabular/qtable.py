@@ -7,8 +7,15 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from learners.errors import check_range
+from learners.errors import MOST_BEHAVIORS, SavedFileError, check_range, check_whole
 from learners.saving import saved
+
+MOST_VALUE = 1e9
+"""Values stay within this, whatever rates and weights a user's own parts give."""
+
+
+MOST_VISITS = 1e15
+"""Of one pair in a file; more are not counted in floating point."""
 
 
 class Row(NamedTuple):
@@ -31,7 +38,10 @@ class Row(NamedTuple):
                 that a trace of a touch does not use up a pair's learning rate.
         """
         values = self.values
-        values[action] += step * (target - values[action])
+        moved = values[action] + step * (target - values[action])
+        if not -MOST_VALUE <= moved <= MOST_VALUE:
+            moved = max(-MOST_VALUE, min(moved, MOST_VALUE))
+        values[action] = moved
         self.visits[action] += visits
 
 
@@ -56,7 +66,8 @@ class QTable:
     rows: dict[Hashable, Row] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        check_range("n_behaviors", self.n_behaviors, 1)
+        check_whole("n_behaviors", self.n_behaviors, 1, 3 * MOST_BEHAVIORS)
+        check_range("initial", self.initial, -MOST_VALUE, MOST_VALUE)
         self._unseen = Row([self.initial] * self.n_behaviors, [0.0] * self.n_behaviors)
 
     def __len__(self) -> int:
@@ -103,4 +114,11 @@ class QTable:
         table = cls(n_behaviors=data["n_behaviors"], initial=data["initial"])
         table.updates = data["updates"]
         table.rows = {state: Row(*row) for state, row in data["rows"].items()}
+        check_whole("updates", table.updates, 0, 2**63)
+        for values, visits in table.rows.values():
+            if not len(values) == len(visits) == table.n_behaviors:
+                raise SavedFileError("a row of a table is not as long as the others")
+            for value, visit in zip(values, visits, strict=True):
+                check_range("a value", value, -MOST_VALUE, MOST_VALUE)
+                check_range("a visit", visit, 0.0, MOST_VISITS)
         return table

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-from learners.errors import ParameterError, check_range
+from learners.errors import ParameterError, check_range, is_within, shown
 from learners.saving import saved
 
 
@@ -88,8 +88,8 @@ class SynchronousRate:
     exponent: float = 0.77
 
     def __post_init__(self) -> None:
-        if not 0.5 < self.exponent <= 1.0:
-            raise ParameterError(f"exponent is {self.exponent}, not in (1/2, 1]")
+        if not (is_within(self.exponent, 0.5, 1.0) and self.exponent > 0.5):
+            raise ParameterError(f"exponent is {shown(self.exponent)}, not in (1/2, 1]")
 
     def __call__(self, updates: float, visits: float, factors: Factors) -> float:
         """The rate after `updates` updates of the whole table."""
@@ -110,8 +110,9 @@ class AsynchronousRate:
     exponent: float = 0.77
 
     def __post_init__(self) -> None:
-        if not 0.5 < self.exponent < 1.0:
-            raise ParameterError(f"exponent is {self.exponent}, not in (1/2, 1)")
+        known = is_within(self.exponent, 0.5, 1.0)
+        if not (known and 0.5 < self.exponent < 1.0):
+            raise ParameterError(f"exponent is {shown(self.exponent)}, not in (1/2, 1)")
 
     def __call__(self, updates: float, visits: float, factors: Factors) -> float:
         """The rate after `visits` updates of the pair."""
@@ -160,6 +161,7 @@ class SocialRate:
     mood: float = 0.1
 
     def __post_init__(self) -> None:
+        check_range("center", self.center, 0.0)
         for name in ("reward", "attention", "mood"):
             check_range(name, getattr(self, name), 0.0)
         least = self.center - (self.reward + self.attention + self.mood) / 2.0

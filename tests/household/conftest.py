@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 
 from household import household_v0
-from household.home.geometry import distance_to_box, distance_to_segments
 from household.motion.bodies import BodyParams
 from household.motion.crowd import Crowd
 from household.simulation.simulation import PERSON_MASS, PERSON_RADIUS
@@ -99,18 +98,3 @@ def walk():
         return arrived, np.array(track)
 
     return send
-
-
-@pytest.fixture(scope="session")
-def deepest():
-    """Measures how far bodies overlap walls and furniture [m]; negative: clear."""
-
-    def measure(plan, position, radius):
-        gap = distance_to_segments(position, plan.wall_segments).min(axis=1)
-        depth = plan.wall_thickness / 2 + radius - gap
-        for box in plan.furniture:
-            away = distance_to_box(position, box.center, box.size, box.angle)
-            depth = np.maximum(depth, radius - away)
-        return float(depth.max())
-
-    return measure
