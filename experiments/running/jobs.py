@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from experiments.errors import ExperimentError
-from experiments.running.engine import Engine, Outcome, run_trials
+from experiments.running.engine import Engine, Outcome, open_engine, run_trials
 from experiments.running.files import ask_for_space
 from experiments.running.store import Results
 from experiments.running.study import Study, Trial
@@ -86,6 +86,30 @@ def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> Non
             f"{len(failed)} of {len(jobs)} trials failed, the others are stored. "
             f"First: {failed[0]}."
         )
+
+
+def run_study(
+    study: Study, out: Path | str, workers: int | None = 1
+) -> polars.DataFrame:
+    """Runs what is still missing of a study, and returns its table.
+
+    Args:
+        study: What to run. With more than one worker, its `run` and the program that
+            calls this need a module that other processes can import.
+        out: The directory that gets a directory for the study.
+        workers: Processes; 1: here, one trial after the other; None: one for each core.
+
+    Returns:
+        The tables of all trials, with the columns `condition` and `seed`.
+
+    Raises:
+        ExperimentError: If the directory cannot be used or holds other results, or some
+            trials failed; the others are stored.
+        HouseholdError: If the study's scenario cannot be used.
+    """
+    jobs = prepare((study,), Path(out))
+    run(jobs, open_engine("local", workers), lambda: None)
+    return Results(Path(out) / study.name).read(study)
 
 
 def _run(job: Job) -> polars.DataFrame:
