@@ -39,8 +39,8 @@ BEHAVIOR_COLORS = MappingProxyType(
         "retreat": "#7f7f7f",
     }
 )
-"""Of the shipped behaviors by name, in every scenario, replay, picture and figure; after
-Okabe and Ito."""
+"""Of the shipped behaviors by name, in every scenario, replay, picture and figure;
+after Okabe and Ito."""
 
 OTHER_BEHAVIORS = ("#8da0cb", "#66a61e", "#e78ac3", "#1b1f24", "#a6761d")
 """Of users' own behaviors in the order of their indices, repeated if there are more."""
@@ -59,7 +59,7 @@ PEOPLE = (
     "#ddcc77",
     "#555555",
 )
-"""Of people in their order, repeated if there are more; most of them Tol's muted ones."""
+"""Of people in their order, repeated if there are more; most are Tol's muted ones."""
 
 ROBOTS = ("#1a85ff", "#d41159", "#ffc20a", "#40b0a6", "#5d3a9b", "#994f00")
 """Of robots in their order, repeated if there are more."""
@@ -104,7 +104,7 @@ def ink_on(color: str) -> str:
 
 
 def shades(color: str, count: int) -> list[str]:
-    """Tints of a color from itself to a paler one, to tell values of one thing apart."""
+    """Tints of a color, from itself to a paler one, to tell values of a thing apart."""
     tints = []
     for i in range(count):
         white = 0.55 * i / max(1, count - 1)

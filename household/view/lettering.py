@@ -1,7 +1,6 @@
-"""Lettering: static text as pixels, legible whatever colors a viewer gives its labels."""
+"""Lettering: static text as pixels, legible whatever colors a viewer gives labels."""
 
 from collections.abc import Sequence
-from io import BytesIO
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -62,6 +61,7 @@ def write(texts: Sequence[Text], sheet: Sheet, scale: float) -> Raster:
         sheet: The paper.
         scale: Pixels per unit of the drawing.
     """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     size = (sheet.width * scale / 100, sheet.height * scale / 100)
@@ -89,8 +89,7 @@ def write(texts: Sequence[Text], sheet: Sheet, scale: float) -> Raster:
             aside = 1.4 * sheet.letter
         shape = {"ha": each.align, "va": "center_baseline"} | shape
         axes.text(each.x + aside, each.y, each.text, fontsize=points, **shape)
-    data = BytesIO()
-    figure.savefig(data, format="rgba", dpi=100)
-    height, width = (int(figure.bbox.height), int(figure.bbox.width))
-    rgba = np.frombuffer(data.getvalue(), dtype=np.uint8).reshape(height, width, 4)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    rgba = np.asarray(canvas.buffer_rgba())
     return Raster(rgba[..., :3].copy(), sheet.left, sheet.top, scale)

@@ -168,7 +168,7 @@ class Painter:
     ) -> None:
         """Names where they cover least, on a light background."""
         scale = self._raster.scale
-        size = np.array([self._font.size(text) for text in texts]) + (6.0, 2.0)
+        size = np.add([self._font.size(text) for text in texts], (6.0, 2.0))
         people = len(self._scenario.people)
         radius = np.array([self._radii[i >= people] for i in range(len(texts))])
         centers = place_labels(snapshot.position[None], radius, size / scale)[0]
