@@ -89,7 +89,7 @@ def write(texts: Sequence[Text], sheet: Sheet, scale: float) -> Raster:
             aside = 1.4 * sheet.letter
         shape = {"ha": each.align, "va": "center_baseline"} | shape
         axes.text(each.x + aside, each.y, each.text, fontsize=points, **shape)
-    canvas = FigureCanvasAgg(figure)
+    canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
     rgba = np.asarray(canvas.buffer_rgba())
     return Raster(rgba[..., :3].copy(), sheet.left, sheet.top, scale)
