@@ -9,7 +9,7 @@ import numpy as np
 from household.compiled.arrays import Floats, Integers, Singles
 from household.feedback import Feedback
 from household.replay.columns import colors, texts, vectors
-from household.replay.scenery import LANE
+from household.replay.sheets import LANE
 from household.replay.stream import Stream, Times
 from household.view.colors import CARESS, TAP, packed
 

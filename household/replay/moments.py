@@ -5,29 +5,39 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES, Activity
+from household.activity import ACTIVITY_NAMES
 from household.compiled.arrays import Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.replay.columns import colors, exact, pictures, strips, texts, vectors
-from household.replay.scenery import LANE, lanes_of, second
+from household.replay.scenery import lanes_of
+from household.replay.sheets import LANE, second
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
 from household.simulation.moment import FIELDS, Moments
 from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
-from household.view.colors import ACTIVITIES, behavior_color, heat, packed
+from household.view.colors import IDLE, behavior_colors, heat, packed
 from household.view.cone import gaze_cones
+from household.view.floorplan_svg import size_of
+from household.view.labels import place_labels
+from household.view.signs import SIGNS
 
 if TYPE_CHECKING:
     from rerun import ComponentColumn
 
-ARROW = 0.35
-"""Length of the arrow that shows where a body faces [m]."""
+ARROW, EDGE = 0.18, 0.2
+"""Length of the arrow that shows where a body faces, and where it begins [m]."""
 
 VISIBLE = 0.005
 """By how much a drawn curve may miss a mood, which is in [-1, 1]."""
 
-PEOPLE, GAZES = packed(ACTIVITIES), packed(ACTIVITIES, 160)
-"""Colors of people and of their gazes, by activity."""
+SIGN = 0.62 * PERSON_RADIUS
+"""Size of the sign in a person's body [m]."""
+
+VIEW = np.array([620.0, 400.0])
+"""Size of the plan in a viewer of 1280 x 720, for which names are placed [pixels]."""
+
+LETTER, LINE = 7.4, 22.0
+"""Width of a letter and height of a name in the viewer [pixels]."""
 
 
 def changes(*columns: NDArray[np.generic]) -> Indices:
@@ -95,6 +105,7 @@ def send_moments(
     send_state(stream, moments)
     _send_people(stream, scenario, moments)
     _send_robots(stream, scenario, moments)
+    _send_names(stream, scenario, moments)
     _send_series(stream, moments, total)
     _send_attention(stream, moments)
     _send_lanes(stream, scenario, moments)
@@ -111,16 +122,12 @@ def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     n = len(scenario.people)
-    _send_bodies(stream, "world/people", moments, slice(0, n), PERSON_RADIUS)
-    where = changes(moments.activity)
-    activity = moments.activity[where]
-    look = colors(rr.Points2D.descriptor_colors(), PEOPLE[activity])
-    _send_at(stream, "world/people", moments, where, look)
-    which = activity + len(Activity) * np.arange(n)
-    names = texts(rr.Points2D.descriptor_labels(), _person_labels(scenario), which)
-    _send_at(stream, "world/people/names", moments, where, names)
-    tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[activity])
-    _send_at(stream, "world/people/gaze", moments, where, tint)
+    _send_bodies(stream, "world/people", moments, slice(0, n))
+    where = changes(moments.position[:, :n], moments.activity)
+    signs = SIGN * SIGNS[moments.activity[where]]
+    signs += moments.position[where, :n, None]
+    drawn = strips(rr.LineStrips2D.descriptor_strips(), signs)
+    _send_at(stream, "world/people/signs", moments, where, drawn)
     where = changes(moments.position[:, :n], moments.gaze[:, :n], moments.half_view)
     cones = gaze_cones(
         moments.position[where, :n],
@@ -133,22 +140,20 @@ def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     _send_at(stream, "world/people/gaze", moments, where, outline)
 
 
-def _person_labels(scenario: Scenario) -> list[str]:
-    """The label of each person in each activity, one person after the other."""
-    words = [f": {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [""]
-    return [name + word for name in scenario.person_names for word in words]
-
-
 def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     robots = slice(len(scenario.people), None)
-    _send_bodies(stream, "world/robots", moments, robots, ROBOT_RADIUS)
+    _send_bodies(stream, "world/robots", moments, robots)
+    points = rr.Points2D.descriptor_positions()
+    where = changes(moments.position[:, robots])
+    rings = vectors(points, moments.position[where, robots])
+    _send_at(stream, "world/robots/doing", moments, where, rings)
     where = changes(moments.behavior)
     # Before the first choice it is -1.
     behavior = moments.behavior[where] + 1
     look = colors(rr.Points2D.descriptor_colors(), _palette(scenario)[behavior])
-    _send_at(stream, "world/robots", moments, where, look)
+    _send_at(stream, "world/robots/doing", moments, where, look)
     doing = ["-", *scenario.behaviors]
     labels = [f"{name}: {word}" for name in scenario.robot_names for word in doing]
     which = behavior + len(doing) * np.arange(len(scenario.robots))
@@ -156,30 +161,45 @@ def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     _send_at(stream, "world/robots/names", moments, where, names)
 
 
-def _palette(scenario: Scenario) -> NDArray[np.uint32]:
-    """The color of no behavior, and those of all behaviors."""
-    return packed([behavior_color(b) for b in range(-1, len(scenario.behaviors))])
-
-
-def _send_bodies(
-    stream: Stream, entity: str, moments: Moments, who: slice, radius: float
-) -> None:
-    """Writes where bodies are and where they face, with their names below them."""
+def _send_names(stream: Stream, scenario: Scenario, moments: Moments) -> None:
+    """Writes where names are; the viewer draws them below what they belong to."""
     import rerun as rr
 
+    n = len(scenario.people)
+    where = changes(moments.position)
+    scale = float((VIEW / size_of(scenario.plan)).min())
+    longest = max(map(len, scenario.behaviors)) + 2
+    letters = [len(name) for name in scenario.person_names]
+    letters += [len(name) + longest for name in scenario.robot_names]
+    size = np.array([(LETTER * each + 14.0, LINE) for each in letters]) / scale
+    radius = np.full(len(letters), PERSON_RADIUS)
+    radius[n:] = 1.25 * ROBOT_RADIUS
+    centers = place_labels(moments.position[where], radius, size)
+    tops = centers + np.array([0.0, 0.62 * LINE / scale])
     points = rr.Points2D.descriptor_positions()
+    for group, who in (("people", slice(0, n)), ("robots", slice(n, None))):
+        places = vectors(points, tops[:, who])
+        _send_at(stream, f"world/{group}/names", moments, where, places)
+
+
+def _palette(scenario: Scenario) -> NDArray[np.uint32]:
+    """The color of no behavior, and those of all behaviors."""
+    return packed([IDLE, *behavior_colors(scenario.behaviors)])
+
+
+def _send_bodies(stream: Stream, entity: str, moments: Moments, who: slice) -> None:
+    """Writes where bodies are and where they face."""
+    import rerun as rr
+
     where = changes(moments.position[:, who], moments.heading[:, who])
     position, angle = moments.position[where, who], moments.heading[where, who]
-    arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], -1)
+    ahead = np.stack([np.cos(angle), np.sin(angle)], -1)
     bodies = (
-        vectors(points, position),
-        vectors(rr.Arrows2D.descriptor_vectors(), arrows),
-        vectors(rr.Arrows2D.descriptor_origins(), position),
+        vectors(rr.Points2D.descriptor_positions(), position),
+        vectors(rr.Arrows2D.descriptor_vectors(), ARROW * ahead),
+        vectors(rr.Arrows2D.descriptor_origins(), position + EDGE * ahead),
     )
     _send_at(stream, entity, moments, where, *bodies)
-    where = changes(moments.position[:, who])
-    below = moments.position[where, who] - np.array([0.0, radius])
-    _send_at(stream, f"{entity}/names", moments, where, vectors(points, below))
 
 
 def _send_at(

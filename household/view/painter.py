@@ -9,16 +9,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES, Activity
 from household.compiled.arrays import Floats
 from household.errors import HouseholdError
 from household.scenario.scenario import Scenario
 from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import Snapshot
-from household.view.colors import ACTIVITIES, CARESS, TAP, behavior_color, rgb
+from household.view.colors import (
+    CARESS,
+    IDLE,
+    TAP,
+    behavior_colors,
+    ink_on,
+    people_colors,
+    rgb,
+    robot_colors,
+)
 from household.view.cone import gaze_cones
 from household.view.floorplan_svg import size_of
+from household.view.labels import place_labels
 from household.view.raster import rasterize
+from household.view.signs import SIGNS
 
 if TYPE_CHECKING:
     import pygame
@@ -32,7 +42,10 @@ CAPTION = 22
 SHOWN = 3.0
 """How long a touch stays visible [s]."""
 
-INK, PAPER = (30, 30, 30), (255, 255, 255)
+BODY, PAPER = (30, 30, 30), (255, 255, 255)
+
+SIGN = 0.62
+"""Size of the sign in a person's body, as a share of its radius."""
 
 Point = tuple[float, float]
 
@@ -67,6 +80,9 @@ class Painter:
         self._pygame.font.init()
         self._scenario = scenario
         self._radii = (PERSON_RADIUS, ROBOT_RADIUS)
+        self._behaviors = behavior_colors(scenario.behaviors)
+        people, robots = len(scenario.people), len(scenario.robots)
+        self._colors = [rgb(c) for c in people_colors(people) + robot_colors(robots)]
         width, height = size_of(scenario.plan)
         scale = min(SIZE[0] / width, (SIZE[1] - CAPTION) / height)
         self._raster = rasterize(scenario.plan, float(scale))
@@ -83,12 +99,11 @@ class Painter:
         surface.blit(self._home, (self._margin, 0))
         self.remember(snapshot)
         self._draw_gazes(surface, snapshot)
-        self._draw_people(surface, snapshot)
-        self._draw_robots(surface, snapshot)
+        self._draw_bodies(surface, snapshot)
         self._draw_touches(surface)
         caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
         text = f"{caption}    decision {snapshot.decision}"
-        surface.blit(self._font.render(text, True, INK), (8, SIZE[1] - CAPTION + 4))
+        surface.blit(self._font.render(text, True, BODY), (8, SIZE[1] - CAPTION + 4))
         return surface
 
     def pixels(self, snapshot: Snapshot) -> NDArray[np.uint8]:
@@ -127,37 +142,56 @@ class Painter:
             self._scenario.perception.distance,
         )[0]
         layer = self._pygame.Surface(SIZE, self._pygame.SRCALPHA)
-        for outline, role in zip(cones, snapshot.activity, strict=True):
-            color = rgb(ACTIVITIES[role])
+        for outline, color in zip(cones, self._colors, strict=False):
             points = [self._at(point) for point in outline]
             self._pygame.draw.polygon(layer, (*color, 45), points)
             self._pygame.draw.aalines(layer, (*color, 150), True, points)
         surface.blit(layer, (0, 0))
 
-    def _draw_people(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
-        for i, name in enumerate(self._scenario.person_names):
-            role = int(snapshot.activity[i])
-            self._draw_body(surface, snapshot, i, ACTIVITIES[role])
-            known = role != Activity.UNKNOWN
-            text = f"{name}: {ACTIVITY_NAMES[role]}" if known else name
-            text += " (eyes closed)" if snapshot.half_view[i] < 0 else ""
-            below = (0.0, self._radii[0] * self._raster.scale)
-            self._write(surface, text, self._at(snapshot.position[i]), below)
-
-    def _draw_robots(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
-        first = len(self._scenario.people)
+    def _draw_bodies(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        n = len(self._scenario.people)
+        texts = list(self._scenario.person_names)
+        for i in range(n):
+            color = self._colors[i]
+            self._draw_body(surface, snapshot, i, color)
+            self._draw_sign(surface, snapshot, i)
         for j, name in enumerate(self._scenario.robot_names):
             doing = int(snapshot.behavior[j])
-            self._draw_body(surface, snapshot, first + j, behavior_color(doing))
+            color = rgb(self._behaviors[doing] if doing >= 0 else IDLE)
+            self._draw_body(surface, snapshot, n + j, color)
             word = self._scenario.behaviors[doing] if doing >= 0 else "-"
-            below = (0.0, self._radii[1] * self._raster.scale)
-            at = self._at(snapshot.position[first + j])
-            self._write(surface, f"{name}: {word}", at, below)
+            texts.append(f"{name}: {word}")
+        self._draw_names(surface, snapshot, texts)
+
+    def _draw_names(
+        self, surface: "pygame.Surface", snapshot: Snapshot, texts: list[str]
+    ) -> None:
+        """Names where they cover least, on a light background."""
+        scale = self._raster.scale
+        size = np.add([self._font.size(text) for text in texts], (6.0, 2.0))
+        people = len(self._scenario.people)
+        radius = np.array([self._radii[i >= people] for i in range(len(texts))])
+        centers = place_labels(snapshot.position[None], radius, size / scale)[0]
+        for text, center in zip(texts, centers, strict=True):
+            self._write(
+                surface, text, self._at(center), (0.0, -self._font.size(text)[1] / 2)
+            )
+
+    def _draw_sign(self, surface: "pygame.Surface", snapshot: Snapshot, i: int) -> None:
+        """What a person does, as a line drawing on its body."""
+        sign = SIGN * self._radii[0] * SIGNS[snapshot.activity[i]]
+        points = [self._at(point) for point in sign + snapshot.position[i]]
+        ink = rgb(ink_on(people_colors(i + 1)[i]))
+        self._pygame.draw.lines(surface, ink, False, points, 2)
 
     def _draw_body(
-        self, surface: "pygame.Surface", snapshot: Snapshot, i: int, color: str
+        self,
+        surface: "pygame.Surface",
+        snapshot: Snapshot,
+        i: int,
+        color: tuple[int, int, int],
     ) -> None:
-        """A disc with a nose where the head points; a robot has a square in it."""
+        """A disc with a nose where the head points; a robot's own color is in it."""
         draw, robot = self._pygame.draw, i >= len(self._scenario.people)
         at = self._at(snapshot.position[i])
         radius = self._radii[robot] * self._raster.scale
@@ -166,13 +200,14 @@ class Painter:
             at[0] + 1.5 * radius * np.cos(angle),
             at[1] - 1.5 * radius * np.sin(angle),
         )
-        draw.line(surface, INK, at, nose, 4)
-        draw.aacircle(surface, INK, at, radius + 1.5)
-        draw.aacircle(surface, rgb(color), at, radius)
+        draw.line(surface, BODY, at, nose, 4)
+        draw.aacircle(surface, BODY, at, radius + 1.5)
+        draw.aacircle(surface, color, at, radius)
         if robot:
             side = radius * 0.8
             box = (at[0] - side / 2, at[1] - side / 2, side, side)
-            draw.rect(surface, INK, box, 2)
+            draw.rect(surface, self._colors[i], box)
+            draw.rect(surface, BODY, box, 1)
 
     def _draw_touches(self, surface: "pygame.Surface") -> None:
         """A ring around the robot and a word, green for a caress, red for a tap."""
@@ -188,7 +223,7 @@ class Painter:
         text: str,
         at: Point,
         offset: Point,
-        color: tuple[int, int, int] = INK,
+        color: tuple[int, int, int] = BODY,
     ) -> None:
         """Writes text on a light background, centered, inside the picture."""
         words = self._font.render(text, True, color)

@@ -7,21 +7,31 @@ from pettingzoo.test import render_test
 from pettingzoo.utils.wrappers.record_video_parallel import RecordVideoParallel
 
 from household import household_v0
-from household.activity import Activity
 from household.config.toml import shipped
 from household.errors import HouseholdError
 from household.home.floorplan import load_floorplan
 from household.replay import RecordEpisodes
 from household.replay.viewer import write_png, write_video
+from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import snapshot
-from household.view.colors import ACTIVITY_COLORS, behavior_color, rgb
+from household.view.colors import (
+    behavior_colors,
+    ink_on,
+    people_colors,
+    rgb,
+    robot_colors,
+)
 from household.view.cone import RAYS, gaze_cones
 from household.view.floorplan_svg import size_of
-from household.view.painter import SIZE, Painter
+from household.view.painter import SIGN, SIZE, Painter
 from household.view.raster import rasterize
+from household.view.signs import SIGNS
 
-ASIDE = np.array([0.0, 0.1])
-"""From the middle of a body to where neither its nose nor a name is drawn [m]."""
+EDGE = np.array([0.0, 0.84 * PERSON_RADIUS])
+"""From the middle of a person to where its sign ends [m]."""
+
+RIM = np.array([0.0, 0.75 * ROBOT_RADIUS])
+"""From the middle of a robot to between its own color and its edge [m]."""
 
 
 @pytest.fixture(autouse=True)
@@ -33,6 +43,11 @@ def pixel(painter, point):
     """Column and row of a place in the picture."""
     x, y = painter._at(point)
     return round(x), round(y)
+
+
+def close(pixel, color):
+    """Whether a pixel has a color, up to smoothing."""
+    return np.abs(np.subtract(pixel, rgb(color), dtype=int)).max() <= 12
 
 
 def test_pettingzoos_render_test_passes():
@@ -81,27 +96,32 @@ def test_rendering_changes_nothing_that_happens(make_busy_home):
     assert ends[0].touches == ends[1].touches
 
 
-def test_people_wear_the_color_of_their_activity(busy_home):
+def test_people_wear_their_own_color_and_the_sign_of_what_they_do(busy_home):
     busy_home.reset(seed=2)
     painter = Painter(busy_home.scenario)
     now = snapshot(busy_home.simulation)
-    roles = [Activity.WORKING, Activity.READING, Activity.SLEEPING]
-    assert now.activity.tolist() == roles
     frame = painter.pixels(now)
-    for place, role in zip(now.position, roles, strict=False):
-        x, y = pixel(painter, place + ASIDE)
-        assert tuple(frame[y, x]) == rgb(ACTIVITY_COLORS[role])
+    for i, color in enumerate(people_colors(3)):
+        stroke = SIGNS[now.activity[i]]
+        middle = SIGN * PERSON_RADIUS * stroke[:2].mean(axis=0)
+        x, y = pixel(painter, now.position[i] + middle)
+        assert close(frame[y, x], ink_on(color))
+        x, y = pixel(painter, now.position[i] + EDGE)
+        assert close(frame[y, x], color)
 
 
-def test_robots_wear_the_color_of_their_behavior(busy_home):
+def test_robots_wear_their_own_color_inside_that_of_their_behavior(busy_home):
     busy_home.reset(seed=2)
     busy_home.step({"robot_0": 0, "robot_1": 3})
     painter = Painter(busy_home.scenario)
     now = snapshot(busy_home.simulation)
     frame = painter.pixels(now)
-    for place, behavior in zip(now.position[3:], (0, 3), strict=True):
-        x, y = pixel(painter, place + ASIDE)
-        assert tuple(frame[y, x]) == rgb(behavior_color(behavior))
+    doing = behavior_colors(busy_home.behaviors)
+    for j, behavior in enumerate((0, 3)):
+        x, y = pixel(painter, now.position[3 + j])
+        assert close(frame[y, x], robot_colors(2)[j])
+        x, y = pixel(painter, now.position[3 + j] + RIM)
+        assert close(frame[y, x], doing[behavior])
 
 
 def test_without_a_render_mode_nothing_is_drawn():
