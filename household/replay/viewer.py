@@ -1,6 +1,6 @@
-"""Replays on screen: in the Rerun viewer, as a film, or as a picture."""
+"""Replays on screen: which one, and in the Rerun viewer."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import quote
 
@@ -8,12 +8,6 @@ from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
 from household.replay.probing import check_readable
 from household.replay.process import LOOPBACK, address, free_ports, start_viewer
-from household.replay.reading import Replay, read_replay
-from household.simulation.snapshot import Snapshot
-from household.view.painter import SHOWN, SIZE, Painter, load_pygame
-
-FPS = 8
-"""Decisions in a second of film: 8 times real time if a decision takes 1 s."""
 
 
 def recordings(path: Path | str) -> tuple[Path, ...]:
@@ -93,64 +87,3 @@ def view(
             f"the Rerun viewer ended with status {status}; on a machine without a "
             "screen or graphics driver, use the web viewer"
         )
-
-
-def write_png(path: Path | str, out: Path | str, decision: int | None = None) -> None:
-    """Draws a moment of a replay, without a viewer.
-
-    Args:
-        path: The replay.
-        out: The picture to write.
-        decision: Which moment; None: the last.
-
-    Raises:
-        HouseholdError: If there is no such moment, or the extra ``render`` is missing.
-    """
-    check_readable(path)
-    replay = read_replay(path)
-    last = int(replay.moments.decision[-1])
-    chosen = last if decision is None else decision
-    if not 0 <= chosen <= last:
-        raise HouseholdError(f"{path}: no decision {chosen}; allowed: 0 to {last}")
-    painter = Painter(replay.scenario)
-    # Recent touches are still seen in the picture.
-    before = round(SHOWN / replay.scenario.decision_period)
-    for index in range(max(0, chosen - before), chosen):
-        painter.remember(replay.snapshot(index))
-    picture = painter.paint(replay.snapshot(chosen))
-    load_pygame().image.save(picture, str(out))
-
-
-def write_video(
-    path: Path | str,
-    out: Path | str,
-    fps: int = FPS,
-    track: Callable[[Replay], Iterable[Snapshot]] = iter,
-) -> None:
-    """Makes a film of a replay, without a viewer.
-
-    Args:
-        path: The replay.
-        out: The film to write, ends in .mp4.
-        fps: Decisions in a second.
-        track: Goes through the moments, for example to show progress.
-
-    Raises:
-        HouseholdError: If the extra ``render`` is missing.
-    """
-    check_readable(path)
-    replay = read_replay(path)
-    try:
-        from imageio_ffmpeg import write_frames
-    except ImportError:
-        raise HouseholdError(
-            "films need imageio-ffmpeg: pip install 'polite-household[render]'"
-        ) from None
-    painter = Painter(replay.scenario)
-    film = write_frames(str(out), SIZE, fps=fps)
-    film.send(None)
-    try:
-        for moment in track(replay):
-            film.send(painter.pixels(moment))
-    finally:
-        film.close()

@@ -1,4 +1,4 @@
-"""Rendering: a household as a picture of 640 x 480 pixels, with pygame.
+"""Rendering: a household as a picture of pixels, with pygame.
 
 Only snapshots are drawn, so that a replay file is rendered as its episode was.
 """
@@ -34,10 +34,10 @@ if TYPE_CHECKING:
     import pygame
 
 SIZE = (640, 480)
-"""Width and height of every picture [pixels]."""
+"""Width and height of pictures, unless asked for otherwise [pixels]."""
 
 CAPTION = 22
-"""Height of the line of text below the plan [pixels]."""
+"""Height of the line of text below the plan, in pictures of `SIZE` [pixels]."""
 
 SHOWN = 3.0
 """How long a touch stays visible [s]."""
@@ -70,31 +70,33 @@ class Painter:
 
     Args:
         scenario: The household.
+        size: Width and height of the pictures [pixels].
 
     Raises:
         HouseholdError: If pygame is not installed.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(self, scenario: Scenario, size: tuple[int, int] = SIZE) -> None:
         self._pygame = load_pygame()
-        self._pygame.font.init()
         self._scenario = scenario
         self._radii = (PERSON_RADIUS, ROBOT_RADIUS)
         self._behaviors = behavior_colors(scenario.behaviors)
         people, robots = len(scenario.people), len(scenario.robots)
         self._colors = [rgb(c) for c in people_colors(people) + robot_colors(robots)]
         width, height = size_of(scenario.plan)
-        scale = min(SIZE[0] / width, (SIZE[1] - CAPTION) / height)
+        self._size, self._unit = size, min(size[0] / SIZE[0], size[1] / SIZE[1])
+        self._caption = round(CAPTION * self._unit)
+        scale = min(size[0] / width, (size[1] - self._caption) / height)
         self._raster = rasterize(scenario.plan, float(scale))
         pixels = self._raster.pixels.swapaxes(0, 1)
         self._home = self._pygame.surfarray.make_surface(pixels)
-        self._margin = (SIZE[0] - self._home.get_width()) / 2
-        self._font = self._pygame.font.Font(_font_path(), 11)
+        self._margin = (size[0] - self._home.get_width()) / 2
+        self._font = font(11 * self._unit)
         self._recent: dict[str, tuple[float, Point, str]] = {}
 
     def paint(self, snapshot: Snapshot) -> "pygame.Surface":
         """A picture of a moment; touches stay visible for a while."""
-        surface = self._pygame.Surface(SIZE)
+        surface = self._pygame.Surface(self._size)
         surface.fill(PAPER)
         surface.blit(self._home, (self._margin, 0))
         self.remember(snapshot)
@@ -103,11 +105,12 @@ class Painter:
         self._draw_touches(surface)
         caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
         text = f"{caption}    decision {snapshot.decision}"
-        surface.blit(self._font.render(text, True, BODY), (8, SIZE[1] - CAPTION + 4))
+        at = 8 * self._unit, self._size[1] - self._caption + 4 * self._unit
+        surface.blit(self._font.render(text, True, BODY), at)
         return surface
 
     def pixels(self, snapshot: Snapshot) -> NDArray[np.uint8]:
-        """The same as an array of shape (480, 640, 3)."""
+        """The same as an array of shape (height, width, 3)."""
         picture = self._pygame.surfarray.array3d(self.paint(snapshot))
         frame: NDArray[np.uint8] = np.ascontiguousarray(picture.swapaxes(0, 1))
         return frame
@@ -141,7 +144,7 @@ class Painter:
             self._scenario.plan.opaque_segments,
             self._scenario.perception.distance,
         )[0]
-        layer = self._pygame.Surface(SIZE, self._pygame.SRCALPHA)
+        layer = self._pygame.Surface(self._size, self._pygame.SRCALPHA)
         for outline, color in zip(cones, self._colors, strict=False):
             points = [self._at(point) for point in outline]
             self._pygame.draw.polygon(layer, (*color, 45), points)
@@ -182,7 +185,8 @@ class Painter:
         sign = SIGN * self._radii[0] * SIGNS[snapshot.activity[i]]
         points = [self._at(point) for point in sign + snapshot.position[i]]
         ink = rgb(ink_on(people_colors(i + 1)[i]))
-        self._pygame.draw.lines(surface, ink, False, points, 2)
+        width = max(1, round(2 * self._unit))
+        self._pygame.draw.lines(surface, ink, False, points, width)
 
     def _draw_body(
         self,
@@ -200,7 +204,7 @@ class Painter:
             at[0] + 1.5 * radius * np.cos(angle),
             at[1] - 1.5 * radius * np.sin(angle),
         )
-        draw.line(surface, BODY, at, nose, 4)
+        draw.line(surface, BODY, at, nose, max(2, round(4 * self._unit)))
         draw.aacircle(surface, BODY, at, radius + 1.5)
         draw.aacircle(surface, color, at, radius)
         if robot:
@@ -270,8 +274,15 @@ class Screen:
             self._pygame.display.quit()
 
 
-def _font_path() -> str:
-    """A font of Matplotlib's, as pygame's own is hard to read when small."""
+def font(height: float) -> "pygame.font.Font":
+    """A font of Matplotlib's, as pygame's own is hard to read when small.
+
+    Args:
+        height: Of its letters [pixels].
+    """
     from matplotlib.font_manager import findfont
 
-    return str(findfont("DejaVu Sans"))
+    loaded = load_pygame()
+    loaded.font.init()
+    letters: pygame.font.Font = loaded.font.Font(findfont("DejaVu Sans"), round(height))
+    return letters

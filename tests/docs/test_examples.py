@@ -52,7 +52,7 @@ def _fault_of_make(arguments):
 
 def _fault_of_household(arguments):
     quick = arguments[0] in QUICK and "--suite" not in arguments
-    if quick or "--png" in arguments:
+    if quick or "--picture" in arguments:
         status = main(arguments)
         return f"{shlex.join(arguments)}: status {status}" if status else None
     _parse(arguments)

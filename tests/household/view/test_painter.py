@@ -10,8 +10,6 @@ from household import household_v0
 from household.config.toml import shipped
 from household.errors import HouseholdError
 from household.home.floorplan import load_floorplan
-from household.replay import RecordEpisodes
-from household.replay.viewer import write_png, write_video
 from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import snapshot
 from household.view.colors import (
@@ -170,42 +168,6 @@ def test_closed_eyes_look_nowhere():
     closed = np.full((1, 1), -1.0)
     outline = gaze_cones(at, np.zeros((1, 1)), closed, np.zeros((0, 4)), 2.5)
     assert (outline == 1.0).all()
-
-
-@pytest.fixture
-def recorded(make_busy_home, tmp_path):
-    """A short episode: its last picture and its file."""
-    env = RecordEpisodes(make_busy_home(render_mode="rgb_array"), tmp_path)
-    env.reset(seed=3)
-    for _ in range(12):
-        env.step(dict.fromkeys(env.agents, 0))
-    env.close()
-    env.unwrapped.reset(seed=3)
-    for _ in range(12):
-        env.unwrapped.step(dict.fromkeys(env.agents, 0))
-        frame = env.unwrapped.render()
-    return frame, tmp_path / "episode_00000.rrd"
-
-
-def test_a_picture_of_a_replay_is_the_picture_of_the_episode(recorded, tmp_path):
-    import pygame
-
-    frame, path = recorded
-    write_png(path, tmp_path / "last.png")
-    picture = pygame.surfarray.array3d(pygame.image.load(tmp_path / "last.png"))
-    assert (picture.swapaxes(0, 1) == frame).all()
-
-
-def test_a_moment_that_is_not_in_the_replay_is_an_error(recorded, tmp_path):
-    with pytest.raises(HouseholdError, match="no decision 13; allowed: 0 to 12"):
-        write_png(recorded[1], tmp_path / "none.png", decision=13)
-
-
-def test_a_film_of_a_replay_shows_every_decision(recorded, tmp_path):
-    from imageio_ffmpeg import count_frames_and_secs
-
-    write_video(recorded[1], tmp_path / "film.mp4", fps=4)
-    assert count_frames_and_secs(str(tmp_path / "film.mp4")) == (13, 3.25)
 
 
 @pytest.mark.parametrize("name", sorted(shipped("home")))
