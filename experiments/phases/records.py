@@ -28,6 +28,10 @@ class Training:
     """Steps of the environment in each household (25 minutes); 0: nothing is
     learned."""
 
+    alone: int = 0
+    """So many robots learn, each alone in the households; 0: those of the world learn
+    there together."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Probing:

@@ -38,7 +38,7 @@ def learns(condition: Phases) -> bool:
 
 def can_be_kept(condition: Phases) -> bool:
     """Whether what is learned can be stored; one's own learners cannot."""
-    return condition.learner in CATALOG
+    return learns(condition) and condition.learner in CATALOG
 
 
 def new_team(
@@ -141,29 +141,32 @@ def teach(
     return diary
 
 
-def touched(env: Household, robots: Robots, seed: int) -> Generator[int, None, None]:
+def touched(
+    env: Household, robots: Robots, seed: int, diary: Diary
+) -> Generator[None, None, None]:
     """Lets robots learn in a household, step by step.
 
     Args:
         env: The household.
         robots: They learn.
         seed: Of the episode.
+        diary: Counts what they live through.
 
     Yields:
-        How many touches they felt so far, whenever that has changed and what they felt
-        last is learned.
+        Whenever they have felt another touch and all that they felt is learned.
     """
     env.reset(seed=seed)
-    felt = before = 0
+    before = 0
     while env.agents:
         actions = {agent: robots[agent].act(env, agent) for agent in env.agents}
+        diary.acted(env, robots)
         learned = all(robot.experience is not None for robot in robots.values())
-        if felt > before and learned:
-            before = felt
-            yield felt
+        if diary.touches > before and learned:
+            before = diary.touches
+            yield
         env.step(actions)
-        felt += sum(len(env.feedback(agent)) for agent in robots)
+        diary.stepped(env, actions, robots)
     for agent, robot in robots.items():
         robot.finish(env, agent)
-    if felt > before:
-        yield felt
+    if diary.touches > before:
+        yield

@@ -21,6 +21,7 @@ import numpy as np
 from experiments.phases.drawing import probed_in, trained_in
 from experiments.phases.records import Phases
 from experiments.phases.robots import (
+    Diary,
     brought_back,
     can_be_kept,
     described_learner,
@@ -38,17 +39,19 @@ from experiments.scoring.moments import Moment, ProbeSet, Sight, probe_set
 from experiments.scoring.policies import Policy, of_learner, of_robots, specification
 from experiments.scoring.references import references
 from experiments.scoring.scores import live, probe_score
+from learners.team import Team
 
 if TYPE_CHECKING:
     import polars
 
     from learners.learner import Learner
-    from learners.team import Team
 
 WALKS, STEPS = 2, 900
 """Reference walks that a probe set is drawn from, and their length [steps]."""
 
 Row = dict[str, Any]
+
+_OVER = object()
 
 
 def train(trial: Trial) -> polars.DataFrame:
@@ -77,10 +80,11 @@ def run(trial: Trial, learned: polars.DataFrame | None = None) -> polars.DataFra
     Returns:
         A row for each household that is probed and each number of touches: which
         household it is (`people`, `home`, `roles`), `touches`, `felt` (touches that
-        were really felt), `greedy` and `deployed` (probe scores), `best_constant` (that
-        of the best constant behavior, in hindsight), `moments` and `share` (of the
-        probe set), what was lived through in training, and, in the last row of a
-        household, what came of living there; null elsewhere.
+        were really felt), `choices` made there and `met_there` (share of them in a
+        situation that was met before, there), `greedy` and `deployed` (probe scores),
+        `best_constant` (that of the best constant behavior, in hindsight), `moments`
+        and `share` (of the probe set), what was lived through in training, and, in the
+        last row of a household, what came of living there; null elsewhere.
     """
     import polars as pl
 
@@ -122,22 +126,45 @@ def _streams(trial: Trial) -> list[np.random.SeedSequence]:
 
 
 def _taught(trial: Trial) -> tuple[Team, Row]:
+    """Runs the first phase: all robots together, or each in households of its own."""
     condition = _condition(trial)
+    alone = condition.training.alone
     learning, living, _, _ = _streams(trial)
-    residences = trained_in(condition.training, trial.seed)
+    if not alone:
+        team, diary = _lesson(condition, trial.seed, learning, living)
+        return team, _trained([diary])
+    lessons = [
+        _lesson(condition, trial.seed, one, other)
+        for one, other in zip(learning.spawn(alone), living.spawn(alone), strict=True)
+    ]
+    members: dict[Hashable, Learner] = {
+        f"robot_{number}": next(iter(team.members.values()))
+        for number, (team, _) in enumerate(lessons)
+    }
+    return Team(members=members), _trained([diary for _, diary in lessons])
+
+
+def _lesson(
+    condition: Phases,
+    seed: int,
+    learning: np.random.SeedSequence,
+    living: np.random.SeedSequence,
+) -> tuple[Team, Diary]:
+    """Teaches new robots in the households of training."""
+    residences = trained_in(condition.training, seed)
     env = household(residences[0], 1)
-    team = new_team(
-        condition,
-        env.possible_agents,
-        len(env.behaviors),
-        np.random.default_rng(learning),
-    )
+    rng = np.random.default_rng(learning)
+    team = new_team(condition, env.possible_agents, len(env.behaviors), rng)
     words = [int(word) for word in living.generate_state(len(residences))]
-    diary = teach(team, residences, condition.training.decisions, words)
-    return team, {
-        "trained_touches": diary.touches,
-        "trained_choices": diary.choices,
-        "met": diary.met / max(diary.choices, 1),
+    return team, teach(team, residences, condition.training.decisions, words)
+
+
+def _trained(diaries: Sequence[Diary]) -> Row:
+    choices = sum(each.choices for each in diaries)
+    return {
+        "trained_touches": sum(each.touches for each in diaries),
+        "trained_choices": choices,
+        "met": sum(each.met for each in diaries) / max(choices, 1),
     }
 
 
@@ -170,24 +197,24 @@ def _adapted(
     """The rows of one household, as its robots adapt to it."""
     probing, probes = condition.probing, _probes(residence)
     env = household(residence, probing.decisions)
-    robots = robots_of(team)
-    at, felt = touched(env, robots, seed), 0
+    robots, diary = robots_of(team), Diary()
+    going_on = touched(env, robots, seed, diary)
     for touches in probing.touches:
-        while felt < touches:
-            now = next(at, None)
-            if now is None:
+        while diary.touches < touches:
+            if next(going_on, _OVER) is _OVER:
                 break
-            felt = now
         last = touches == probing.touches[-1]
         if last:
-            at.close()
+            going_on.close()
         policy = _policy_of(
             {agent: robot.learner for agent, robot in robots.items()}, rng
         )
         lived = probing.lived if last else 0
         yield _row(residence, policy, probes, lived) | {
             "touches": touches,
-            "felt": felt,
+            "felt": diary.touches,
+            "choices": diary.choices,
+            "met_there": diary.met / max(diary.choices, 1),
         }
 
 
@@ -232,7 +259,7 @@ def _policy_rows(trial: Trial) -> Iterator[Row]:
         rng = np.random.default_rng(choosing[number])
         scores = _policy_scores(condition, residence, rng)
         for touches in condition.probing.touches:
-            yield nothing | scores | {"touches": touches, "felt": 0}
+            yield nothing | scores | {"touches": touches, "felt": 0, "choices": 0}
 
 
 def _policy_scores(
@@ -332,5 +359,7 @@ _SCHEMA: dict[str, Any] = {
     **dict.fromkeys(("greedy", "deployed", "best_constant", "share"), float),
     **dict.fromkeys(("trained_touches", "trained_choices"), int),
     "met": float,
+    "choices": int,
+    "met_there": float,
     **dict.fromkeys(_LIVED, float),
 }

@@ -72,6 +72,9 @@ class World:
     """Whether every second person wants what the others do not, in every role; they
     then have these tastes alone."""
 
+    turned: int = 0
+    """By how many behaviors what people want is moved on: tastes that have changed."""
+
     hears: bool = True
     """Whether situations say who would hear the robot."""
 
@@ -162,7 +165,7 @@ def described(world: World) -> dict[str, Any]:
     everybody = read_toml(packaged("scenario/schedule.toml"))
     return plain | {
         "home": HOMES[world.home],
-        "norms": own_norms(),
+        "norms": own_norms(world.turned),
         "persona": msgspec.to_builtins(_persona(world, 0)),
         "schedule": schedule(0) if world.days else everybody,
     }
@@ -171,7 +174,13 @@ def described(world: World) -> dict[str, Any]:
 def _of_family(residence: Residence, family: Family) -> Scenario:
     """A household of a shipped family."""
     (people,), ((roles, _),) = residence.people, residence.roles
-    choice = Draw(seed=people, home=residence.home, people=people, roles=roles)
+    choice = Draw(
+        seed=people,
+        home=residence.home,
+        people=people,
+        roles=roles,
+        n_robots=residence.world.robots,
+    )
     return draw(family, choice)
 
 
@@ -191,7 +200,7 @@ def _family(residence: Residence) -> dict[str, Any]:
         "personas": [msgspec.to_builtins(_persona(world, 0))],
         "residents": [{"schedule": day} for day in days],
         "behaviors": list(BEHAVIORS),
-        "norms": own_norms(),
+        "norms": own_norms(world.turned),
         "situation": {"attention": "robot", **hears},
     }
 
@@ -222,7 +231,7 @@ def _persona(world: World, place: int) -> Persona:
     persona = msgspec.structs.replace(known, **dict(world.traits))
     if not world.opposed:
         return persona
-    wishes = own_norms(OPPOSED * (place % 2))
+    wishes = own_norms(world.turned + OPPOSED * (place % 2))
     return convert(
         msgspec.to_builtins(persona) | {"preferences": wishes}, Persona, "persona"
     )

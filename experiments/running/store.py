@@ -191,7 +191,7 @@ class Results:
                 f"{self.directory}: {len(absent)} of {len(trials)} trials are "
                 f"missing, e.g. {absent[0]}; run `household reproduce` to add them."
             )
-        tables = [self._read(trial, study.columns) for trial in trials]
+        tables = [self.table(trial, study.columns) for trial in trials]
         for trial, table in zip(trials, tables, strict=True):
             if table.schema != tables[0].schema:
                 raise ExperimentError(
@@ -211,8 +211,12 @@ class Results:
             for trial, table in zip(trials, tables, strict=True)
         )
 
-    def _read(self, trial: Trial, columns: Sequence[str]) -> polars.DataFrame:
-        """Returns a trial's table, which has these columns and perhaps others."""
+    def table(self, trial: Trial, columns: Sequence[str] = ()) -> polars.DataFrame:
+        """Returns a trial's table, which has these columns and perhaps others.
+
+        Raises:
+            ExperimentError: If it is missing or damaged.
+        """
         path = self.file(trial)
         table = decoded(path, self.identity(trial))
         lacking = [name for name in columns if name not in table.columns]

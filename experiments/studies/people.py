@@ -93,11 +93,11 @@ VILLA: Mapping[str, Any] = {"shipped": ["villa"]}
 GENERATED: Mapping[str, Any] = {"rooms": [8, 8], "room_area": [15.0, 15.0]}
 
 
-def actors(seeds: tuple[int, ...]) -> tuple[Study, ...]:
+def crowd(seeds: tuple[int, ...]) -> tuple[Study, ...]:
     """Returns one study for each number of people: 25 minutes in the villa."""
     return tuple(
         _study(
-            f"actors/{people}",
+            f"crowd/{people}",
             Households(
                 family=_family(VILLA, own_norms(), _persona(0.0)),
                 draw={"n_people": people, "n_robots": 1, "heterogeneity": 0.3},
@@ -127,11 +127,11 @@ def plenty(seeds: tuple[int, ...]) -> tuple[Study, ...]:
     )
 
 
-def newcomers(seeds: tuple[int, ...]) -> tuple[Study, ...]:
+def strangers(seeds: tuple[int, ...]) -> tuple[Study, ...]:
     """Returns one study for each heterogeneity: frozen, among people with new names."""
     return tuple(
         _study(
-            f"newcomers/h_{h:.2f}",
+            f"strangers/h_{h:.2f}",
             Households(
                 family=_family(GENERATED, own_norms(), _persona(0.0)),
                 draw={"n_people": 4, "n_robots": 1, "heterogeneity": h},
@@ -175,8 +175,8 @@ def _study(
 
 
 STUDIES: Mapping[str, Callable[[tuple[int, ...]], tuple[Study, ...]]] = {
-    "actors": actors,
+    "crowd": crowd,
     "plenty": plenty,
-    "newcomers": newcomers,
+    "strangers": strangers,
 }
 """Name -> what is run with which seeds."""
