@@ -99,7 +99,7 @@ def save(columns: Sequence[Column], stem: Path) -> tuple[Path, Path]:
         The two files.
     """
     paths = stem.with_suffix(".svg"), stem.with_suffix(".png")
-    with _styled():
+    with styled():
         figure = _arranged(columns)
         for path in paths:
             _write(figure, path)
@@ -123,7 +123,8 @@ def inline(columns: Sequence[Column], name: str) -> tuple[str, ...]:
 
 
 @contextmanager
-def _styled() -> Iterator[None]:
+def styled() -> Iterator[None]:
+    """Has everything drawn within look like the figures of the paper's experiments."""
     import matplotlib as mpl
 
     with mpl.rc_context():
@@ -168,7 +169,7 @@ def _write(figure: Figure, path: Path) -> None:
 
 def _svg(column: Column) -> str:
     buffer = io.StringIO()
-    with _styled():
+    with styled():
         metadata = {"Date": None, "Creator": None}
         _arranged([column]).savefig(buffer, format="svg", metadata=metadata)
     return buffer.getvalue()
