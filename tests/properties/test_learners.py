@@ -287,7 +287,8 @@ def test_a_strangers_learner_is_refused_in_one_line_or_learns(explore, saved, tm
         try:
             learner = load(path, **world(name))
         except LearnerError as error:
-            assert str(path) in one_line(error)
+            said = one_line(error)
+            assert str(path) in said
             return "refused"
         if not (hasattr(learner, "learn") and learner.n_behaviors == BEHAVIORS):
             return "something else"
