@@ -19,6 +19,7 @@ from household.scenario.reading import from_its_folder
 from household.scenario.scenario import Scenario
 from household.scenario.validation import scenario_faults
 
+
 class FileKind(NamedTuple):
     """A kind of file.
 

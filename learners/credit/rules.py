@@ -96,7 +96,9 @@ class Trace(CreditRule):
     def __post_init__(self) -> None:
         check_range("decay", self.decay, 0.0, 1.0)
         if not isinstance(self.replacing, bool):
-            raise ParameterError(f"replacing is {shown(self.replacing)}, not true or false")
+            raise ParameterError(
+                f"replacing is {shown(self.replacing)}, not true or false"
+            )
 
     def weigh(
         self, reward: Reward, history: History, network: SituationNetwork

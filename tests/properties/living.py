@@ -1,6 +1,7 @@
 """Fifty steps in a household: everything finite, everybody inside, nobody in a wall."""
 
 import faulthandler
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -27,7 +28,7 @@ HANG = 300.0
 @contextmanager
 def no_hanging() -> Iterator[None]:
     """Ends the process, and shows where it was, if what is inside never ends."""
-    faulthandler.dump_traceback_later(HANG, exit=True)
+    faulthandler.dump_traceback_later(HANG, exit=True, file=sys.__stderr__)
     try:
         yield
     finally:

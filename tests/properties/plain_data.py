@@ -1,8 +1,8 @@
 """Plain data, as TOML files and callers give them: what is allowed, and what is not.
 
-Allowed values are derived from the annotations of the records; the others are changes of
-data that are right: a part dropped, retyped, enlarged, doubled, moved, or exchanged for
-something odd.
+Allowed values are derived from the annotations of the records; the others are changes
+of data that are right: a part dropped, retyped, enlarged, doubled, moved, or exchanged
+for something odd.
 """
 
 import datetime
@@ -206,7 +206,8 @@ def _changed_list(draw: Any, data: list[Any], at: int, kind: Any, gentle: bool) 
     if how == "inside":
         return [*before, draw(_changed_once(part, kind, gentle)), *after]
     if how == "many":
-        return [*before, *[part] * draw(st.sampled_from((3, 70, 600) if _length(part) < 5 else (3,))), *after]
+        times = draw(st.sampled_from((3, 70, 600) if _length(part) < 5 else (3,)))
+        return [*before, *[part] * times, *after]
     if how == "move":
         return [*after, part, *before]
     return [*before, *[part] * (2 if how == "double" else 0), *after]

@@ -4,6 +4,7 @@ import dataclasses
 import functools
 import hashlib
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -100,7 +101,7 @@ def entries(draw):
 def experiences(learner, lived):
     """Fifty entries of a life that repeats itself."""
     time, spans = 0.0, [(lived * (ENTRIES + 1))[i] for i in range(ENTRIES + 1)]
-    for (state, length, touch), (following, *_) in zip(spans, spans[1:], strict=False):
+    for (state, length, touch), (following, *_) in pairwise(spans):
         end = time + length
         rewards = ()
         if touch is not None:
