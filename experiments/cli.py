@@ -92,9 +92,9 @@ def _is_users(error: Exception) -> bool:
 
 
 def _one_line(error: Exception) -> str:
-    from household.errors import shown_path
+    from household.errors import printable, shown_path
 
     if isinstance(error, OSError) and error.strerror:
         return f"{shown_path(error.filename or 'file')}: {error.strerror}."
-    text = " ".join(str(error).split())
+    text = printable(" ".join(str(error).split()))
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

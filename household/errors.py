@@ -48,12 +48,17 @@ def shown(value: object, most: int = LONGEST) -> str:
         text = repr(value[: most + 1] if isinstance(value, str | bytes) else value)
     except (ValueError, RecursionError):  # A number of 5,000 digits; endless nesting.
         text = f"a {type(value).__name__}"
-    text = "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+    text = printable(text)
     return text if len(text) <= most else f"{text[:most]}..."
+
+
+def printable(text: str) -> str:
+    """A text with line breaks and other control characters as Python writes them."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
 def shown_path(path: object) -> str:
     """A path, on one line and cut in the middle where it is long."""
-    text = "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(path))
+    text = printable(str(path))
     half = LONGEST_PATH // 2
     return text if len(text) <= LONGEST_PATH else f"{text[:half]}...{text[-half:]}"

@@ -12,7 +12,10 @@ from experiments.errors import ExperimentError
 if TYPE_CHECKING:
     import polars
 
-_NAME = re.compile(r"[a-z0-9][a-z0-9._+-]*")
+LONGEST_NAME = 200
+"""Of a condition [characters]: file systems have names of up to 255."""
+
+_NAME = re.compile(rf"[a-z0-9][a-z0-9._+-]{{0,{LONGEST_NAME - 1}}}")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,11 +47,29 @@ class Condition:
     factor is a column of the study's table."""
 
     def __post_init__(self) -> None:
-        """Checks that the name can be a folder on every system."""
-        if not _NAME.fullmatch(self.name):
+        """Checks that the name can be a folder on every system, and what is text."""
+        from household.errors import shown
+
+        if not (isinstance(self.name, str) and _NAME.fullmatch(self.name)):
             raise ExperimentError(
-                f"condition name {self.name!r}: use a-z, 0-9, '.', '_', '+' and '-'."
+                f"condition name {shown(self.name)}: use up to {LONGEST_NAME} of a-z, "
+                "0-9, '.', '_', '+' and '-'."
             )
+        for name in ("scenario", "learner"):
+            if not isinstance(getattr(self, name), str):
+                raise ExperimentError(
+                    f"condition {self.name}: {name} {shown(getattr(self, name))} is no "
+                    "name."
+                )
+        for name in ("scenario_overrides", "learner_overrides", "factors"):
+            given = getattr(self, name)
+            if not (
+                isinstance(given, Mapping) and all(isinstance(k, str) for k in given)
+            ):
+                raise ExperimentError(
+                    f"condition {self.name}: {name} {shown(given)} is no mapping from "
+                    "names."
+                )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,7 +127,7 @@ class Study:
             )
         if (
             not self.seeds
-            or min(self.seeds) < 0
+            or not all(type(seed) is int and seed >= 0 for seed in self.seeds)
             or len(set(self.seeds)) < len(self.seeds)
         ):
             raise ExperimentError(

@@ -95,6 +95,10 @@ class Trace(CreditRule):
 
     def __post_init__(self) -> None:
         check_range("decay", self.decay, 0.0, 1.0)
+        if not isinstance(self.replacing, bool):
+            raise ParameterError(
+                f"replacing is {shown(self.replacing)}, not true or false"
+            )
 
     def weigh(
         self, reward: Reward, history: History, network: SituationNetwork
@@ -185,6 +189,8 @@ class Designated(CreditRule):
     def __post_init__(self) -> None:
         if not callable(self.heuristic):
             raise ParameterError(f"heuristic is {shown(self.heuristic)}, no function")
+        if not isinstance(self.squared, bool):
+            raise ParameterError(f"squared is {shown(self.squared)}, not true or false")
         check_positive("sigma_stm", self.sigma_stm)
         check_positive("sigma_rwd", self.sigma_rwd)
 

@@ -3,9 +3,11 @@
 A saved class is registered with `@saved`. Dataclasses need nothing more; any other
 class (a state, say) provides `to_data()` and the class method `from_data(data)`, built
 of None, bool, int, float, str, tuple, list, dict, set, frozenset and registered
-classes. What is read must be what the fields are annotated with; a class that knows more
-of how they fit together says so in `check_loaded`. A field with `metadata=ATTACHED` (a callable into the world) is not written
+classes. A field with `metadata=ATTACHED` (a callable into the world) is not written
 but given again to `load`; a field with `metadata=DERIVED` is computed anew.
+
+What is read must be what the fields are annotated with; a class that knows more of how
+they fit together says so in `check_loaded`.
 """
 
 import dataclasses

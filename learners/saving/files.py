@@ -65,7 +65,8 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
         )
     if version not in READABLE:
         raise SavedFileError(
-            f"{path} was saved in version {shown(version)} of the format; this is {VERSION}"
+            f"{path} was saved in version {shown(version)} of the format; this is "
+            f"{VERSION}"
         )
     if end or digest != _digest(payload):
         raise SavedFileError(

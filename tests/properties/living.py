@@ -1,6 +1,7 @@
 """Fifty steps in a household: everything finite, everybody inside, nobody in a wall."""
 
 import faulthandler
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -27,7 +28,7 @@ HANG = 300.0
 @contextmanager
 def no_hanging() -> Iterator[None]:
     """Ends the process, and shows where it was, if what is inside never ends."""
-    faulthandler.dump_traceback_later(HANG, exit=True)
+    faulthandler.dump_traceback_later(HANG, exit=True, file=sys.__stderr__)
     try:
         yield
     finally:
@@ -65,12 +66,15 @@ def live(scenario: Scenario, seed: int, deepest: Any) -> float:
 
 
 def check_moment(env: Any, open_air: Any, deepest: Any) -> None:
-    """Everything is finite, and every body on the floor of the home."""
+    """Everything is finite, every body on the floor of the home, attention shared."""
     plan, crowd = env.scenario.plan, env.simulation.crowd
     people = len(env.scenario.people)
     radius = np.full(len(crowd.position), ROBOT_RADIUS)
     radius[:people] = PERSON_RADIUS
     assert np.isfinite(env.state()).all()
+    attention = env.simulation.senses.relations.attention
+    assert (attention >= 0.0).all()
+    assert (attention.sum(axis=1) <= 1.0).all()
     shown = snapshot(env.simulation)
     for field in fields(shown):
         values = np.asarray(getattr(shown, field.name))

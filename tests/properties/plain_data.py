@@ -1,8 +1,8 @@
 """Plain data, as TOML files and callers give them: what is allowed, and what is not.
 
-Allowed values are derived from the annotations of the records; the others are changes of
-data that are right: a part dropped, retyped, enlarged, doubled, moved, or exchanged for
-something odd.
+Allowed values are derived from the annotations of the records; the others are changes
+of data that are right: a part dropped, retyped, enlarged, doubled, moved, or exchanged
+for something odd.
 """
 
 import datetime
@@ -206,7 +206,8 @@ def _changed_list(draw: Any, data: list[Any], at: int, kind: Any, gentle: bool) 
     if how == "inside":
         return [*before, draw(_changed_once(part, kind, gentle)), *after]
     if how == "many":
-        return [*before, *[part] * draw(st.sampled_from((3, 70, 600))), *after]
+        times = draw(st.sampled_from((3, 70, 600) if _length(part) < 5 else (3,)))
+        return [*before, *[part] * times, *after]
     if how == "move":
         return [*after, part, *before]
     return [*before, *[part] * (2 if how == "double" else 0), *after]
@@ -262,6 +263,9 @@ def _exchanged(draw: Any, data: Any, kind: Any, gentle: bool) -> Any:
 def _enlarged(data: Any, factor: int) -> Any:
     if isinstance(data, dict | list | str) and len(data) * factor > LARGEST:
         return data
+    inner = data.values() if isinstance(data, dict) else data
+    if _length(data) and any(map(_length, inner)):
+        factor = 2
     if isinstance(data, dict):
         return {f"{key}_{i}": v for key, v in data.items() for i in range(factor)}
     if data is None or isinstance(data, bool | datetime.date | datetime.time):

@@ -4,6 +4,7 @@ import dataclasses
 import functools
 import hashlib
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -100,7 +101,7 @@ def entries(draw):
 def experiences(learner, lived):
     """Fifty entries of a life that repeats itself."""
     time, spans = 0.0, [(lived * (ENTRIES + 1))[i] for i in range(ENTRIES + 1)]
-    for (state, length, touch), (following, *_) in zip(spans, spans[1:], strict=False):
+    for (state, length, touch), (following, *_) in pairwise(spans):
         end = time + length
         rewards = ()
         if touch is not None:
@@ -287,7 +288,8 @@ def test_a_strangers_learner_is_refused_in_one_line_or_learns(explore, saved, tm
         try:
             learner = load(path, **world(name))
         except LearnerError as error:
-            assert str(path) in one_line(error)
+            said = one_line(error)
+            assert str(path) in said
             return "refused"
         if not (hasattr(learner, "learn") and learner.n_behaviors == BEHAVIORS):
             return "something else"

@@ -20,7 +20,8 @@ def lived_in(explore, deepest):
         try:
             accepted = load_scenario(scenario, **overrides)
         except HouseholdError as error:
-            assert told(error).startswith(str(scenario))
+            said = told(error)
+            assert said.startswith(str(scenario))
             return "refused"
         longest = live(accepted, explore.counts.total(), deepest)
         assert longest < explore.slowest
