@@ -1,7 +1,9 @@
 """Components of a learner as plain data, for studies that write down what they compare.
 
-make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
-make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1.2}}))
+Settings are names, or tables with a name::
+
+    make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
+    make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1}}))
 """
 
 import difflib
