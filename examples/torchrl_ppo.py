@@ -1,13 +1,6 @@
 """PPO of TorchRL in held homes; needs the extra `torchrl`."""
 
-import torch
-from tensordict.nn import TensorDictModule
-from torch import nn
-from torchrl.collectors import SyncDataCollector
-from torchrl.envs import PettingZooWrapper, RewardSum, SerialEnv, TransformedEnv
-from torchrl.modules import ProbabilisticActor, ValueOperator
-from torchrl.objectives import ClipPPOLoss
-from torchrl.objectives.value import GAE
+from torchrl.envs import PettingZooWrapper
 
 from household import held, household_v0
 from household.scenario.family import draw
@@ -21,5 +14,3 @@ def home(seed):
     """A home in which the robot chooses only when its behavior is over."""
     env = held(household_v0.parallel_env(draw("quiet_work", seed)))
     return PettingZooWrapper(env, return_state=False, categorical_actions=True)
-
-

@@ -17,6 +17,9 @@ class Replay:
     path: Annotated[Positional[Path], arg(metavar="FILE.rrd|DIR")]
     """A recording, or a directory; asks which one if there are several below it."""
 
+    other: Annotated[Positional[Path | None], arg(metavar="FILE.rrd|DIR")] = None
+    """Another recording of the same home and seed, to show beside the first one."""
+
     web: bool = False
     """Show it in a browser on this machine, where there is no screen for the viewer."""
 
@@ -38,7 +41,7 @@ class Replay:
     def run(self) -> None:
         """Makes what was asked for, or shows the replay until the viewer is closed."""
         from household.replay.rendering import FILMS, PICTURES, write_picture
-        from household.replay.viewer import choose, view
+        from household.replay.viewer import choose, view, view_two
         from household.view.figure import SIZE
 
         _check_file("--video", self.video, FILMS)
@@ -46,6 +49,9 @@ class Replay:
         _check_speed(self.speed)
         size = None if self.size is None else _size(self.size)
         path = choose(self.path)
+        if self.other is not None:
+            view_two(path, choose(self.other), web=self.web)
+            return
         if self.video:
             _film(path, self.video, size, self.speed)
         if self.picture:

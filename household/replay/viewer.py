@@ -1,5 +1,6 @@
 """Replays on screen: which one, and in the Rerun viewer."""
 
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import quote
@@ -56,6 +57,36 @@ def choose(
     return numbered[answer]
 
 
+def view_two(
+    one: Path | str,
+    other: Path | str,
+    *,
+    web: bool = False,
+    show: Callable[[str], None] = print,
+) -> None:
+    """Opens two replays of the same home side by side; says where they part.
+
+    Args:
+        one: The file that is shown on the left.
+        other: The one on the right.
+        web: As for `view`.
+        show: Shows a line of text.
+
+    Raises:
+        HouseholdError: As `view`, or if they are of different homes.
+    """
+    from household.replay.comparison import join
+
+    with tempfile.TemporaryDirectory(prefix="household_") as folder:
+        both = Path(folder) / "two_runs.rrd"
+        parted = join(Path(one), Path(other), both)
+        if parted is None:
+            show("They are equal, moment by moment, as long as both last.")
+        else:
+            show(f"{str(parted).capitalize()} (decision {parted.decision}).")
+        _open(both, web=web, show=show)
+
+
 def view(
     path: Path | str, *, web: bool = False, show: Callable[[str], None] = print
 ) -> None:
@@ -70,6 +101,10 @@ def view(
         HouseholdError: If the file is no replay or the viewer does not run.
     """
     check_readable(path)
+    _open(Path(path), web=web, show=show)
+
+
+def _open(path: Path, *, web: bool, show: Callable[[str], None]) -> None:
     page, data = free_ports(2)
     arguments = [f"--port={data}", str(path)]
     if web:
