@@ -70,6 +70,7 @@ class Choices:
         self._robots = {name: i for i, name in enumerate(scenario.robot_names)}
         self._times = times
         self._choices: list[tuple[int, Choice]] = []
+        self._begun: dict[str, Choice] = {}
 
     def add(self, decision: int, choice: Choice) -> None:
         """Adds a choice.
@@ -119,7 +120,12 @@ class Choices:
         times = self._times(at for at, _ in own)
         values = np.array([choice.values for _, choice in own])
         stream.send(f"q/{robot}", times, rr.Scalars.columns(scalars=values))
-        pages = [page(choice, self._behaviors) for _, choice in own]
+        pages = []
+        for _, choice in own:
+            if choice.chosen:
+                self._begun[robot] = choice
+            begun = self._begun.get(robot, choice)
+            pages.append(page(choice, begun, self._behaviors))
         kind = ["text/markdown"] * len(pages)
         documents = rr.TextDocument.columns(text=pages, media_type=kind)
         stream.send(f"why/{robot}", times, documents)

@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.feedback import Cause
+from household.feedback import Cause, Feedback
 from household.replay.buffer import REMEMBERED, Buffer
 from household.replay.columns import colors, exact, strips, vectors, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
+from household.replay.names import Felt
 from household.replay.sheets import LANE, second
 from household.replay.stream import Stream, Times, times_of
 from household.replay.touches import touch_columns
@@ -101,6 +102,15 @@ class Events:
             touched = self._spot(belief.robot, self._decision(belief.time))
             meant = self._spot(belief.robot, self._decision(belief.designated.time))
             self._marks["believed"].items.append((now, None, (touched, meant)))
+
+    def felt(self) -> list[Felt]:
+        """The touches that robots' names tell of since the last write."""
+        marks = self._marks["touches"]
+        return [
+            Felt(at, at + marks.stay, self._robots[robot], _mark_text(feedback))
+            for at, robot, (_, feedback) in marks.items
+            if robot is not None
+        ]
 
     def send(self, stream: Stream) -> None:
         """Writes what was added since the last time."""
@@ -263,3 +273,7 @@ class Events:
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
+
+
+def _mark_text(feedback: Feedback) -> str:
+    return f"{feedback.kind} by {feedback.giver} {feedback.value:+.2f}"

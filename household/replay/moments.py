@@ -1,24 +1,24 @@
 """Writes what changes from moment to moment, as columns."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from household.activity import ACTIVITY_NAMES
-from household.compiled.arrays import Floats, Indices, Mask
-from household.compiled.jit import compiled
+from household.compiled.arrays import Floats, Indices
 from household.replay.columns import colors, exact, pictures, strips, texts, vectors
+from household.replay.names import Felt, send_names
+from household.replay.rows import bends, changes
 from household.replay.scenery import lanes_of
 from household.replay.sheets import LANE, second
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
 from household.simulation.moment import FIELDS, Moments
-from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
+from household.simulation.simulation import PERSON_RADIUS
 from household.view.colors import IDLE, behavior_colors, heat, packed
 from household.view.cone import gaze_cones
-from household.view.floorplan_svg import size_of
-from household.view.labels import place_labels
 from household.view.signs import SIGNS
 
 if TYPE_CHECKING:
@@ -33,65 +33,13 @@ VISIBLE = 0.005
 SIGN = 0.62 * PERSON_RADIUS
 """Size of the sign in a person's body [m]."""
 
-VIEW = np.array([620.0, 400.0])
-"""Size of the plan in a viewer of 1280 x 720, for which names are placed [pixels]."""
-
-LETTER, LINE = 7.4, 22.0
-"""Width of a letter and height of a name in the viewer [pixels]."""
-
-
-def changes(*columns: NDArray[np.generic]) -> Indices:
-    """Indices of the rows that differ from the row before, and of the first one."""
-    changed = np.zeros(len(columns[0]), dtype=np.bool_)
-    changed[:1] = True
-    for column in columns:
-        _mark_changes(column.reshape(len(column), -1), changed)
-    return np.flatnonzero(changed)
-
-
-@compiled
-def _mark_changes(values: NDArray[Any], changed: Mask) -> None:
-    for row in range(1, len(values)):
-        for k in range(values.shape[1]):
-            if values[row, k] != values[row - 1, k]:
-                changed[row] = True
-                break
-
-
-def bends(values: Floats, tolerance: float) -> Indices:
-    """Indices of the rows that suffice to draw time series as straight lines.
-
-    Args:
-        values: One row for each moment, shape (n_moments, n).
-        tolerance: By how much the lines may miss a value.
-    """
-    kept = np.zeros(len(values), dtype=np.bool_)
-    kept[:1] = kept[-1:] = True
-    _mark_bends(values, tolerance, kept)
-    return np.flatnonzero(kept)
-
-
-@compiled
-def _mark_bends(values: Floats, tolerance: float, kept: Mask) -> None:
-    last = 0
-    for row in range(1, len(values)):
-        if _differ(values[row], values[last], tolerance):
-            # Up to a jump the line stays where it was.
-            kept[row - 1] |= _differ(values[row], values[row - 1], tolerance)
-            kept[row], last = True, row
-
-
-@compiled
-def _differ(one: Floats, other: Floats, tolerance: float) -> bool:
-    """Whether any number differs by more than a tolerance."""
-    differ = False
-    for k in range(len(one)):
-        differ |= abs(one[k] - other[k]) > tolerance
-    return differ
-
 
 def send_moments(
-    stream: Stream, scenario: Scenario, moments: Moments, total: Floats
+    stream: Stream,
+    scenario: Scenario,
+    moments: Moments,
+    total: Floats,
+    felt: Sequence[Felt],
 ) -> None:
     """Writes what happened.
 
@@ -100,12 +48,13 @@ def send_moments(
         scenario: The household.
         moments: What happened.
         total: Sum of each robot's rewards before that, shape (n_robots,).
+        felt: The touches that robots' names tell of.
     """
     # The exact state comes first: it can be read where a kill cuts off what is drawn.
     send_state(stream, moments)
     _send_people(stream, scenario, moments)
     _send_robots(stream, scenario, moments)
-    _send_names(stream, scenario, moments)
+    send_names(stream, scenario, moments, felt)
     _send_series(stream, moments, total)
     _send_attention(stream, moments)
     _send_lanes(stream, scenario, moments)
@@ -154,32 +103,6 @@ def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     behavior = moments.behavior[where] + 1
     look = colors(rr.Points2D.descriptor_colors(), _palette(scenario)[behavior])
     _send_at(stream, "world/robots/doing", moments, where, look)
-    doing = ["-", *scenario.behaviors]
-    labels = [f"{name}: {word}" for name in scenario.robot_names for word in doing]
-    which = behavior + len(doing) * np.arange(len(scenario.robots))
-    names = texts(rr.Points2D.descriptor_labels(), labels, which)
-    _send_at(stream, "world/robots/names", moments, where, names)
-
-
-def _send_names(stream: Stream, scenario: Scenario, moments: Moments) -> None:
-    """Writes where names are; the viewer draws them below what they belong to."""
-    import rerun as rr
-
-    n = len(scenario.people)
-    where = changes(moments.position)
-    scale = float((VIEW / size_of(scenario.plan)).min())
-    longest = max(map(len, scenario.behaviors)) + 2
-    letters = [len(name) for name in scenario.person_names]
-    letters += [len(name) + longest for name in scenario.robot_names]
-    size = np.array([(LETTER * each + 14.0, LINE) for each in letters]) / scale
-    radius = np.full(len(letters), PERSON_RADIUS)
-    radius[n:] = 1.25 * ROBOT_RADIUS
-    centers = place_labels(moments.position[where], radius, size)
-    tops = centers + np.array([0.0, 0.62 * LINE / scale])
-    points = rr.Points2D.descriptor_positions()
-    for group, who in (("people", slice(0, n)), ("robots", slice(n, None))):
-        places = vectors(points, tops[:, who])
-        _send_at(stream, f"world/{group}/names", moments, where, places)
 
 
 def _palette(scenario: Scenario) -> NDArray[np.uint32]:

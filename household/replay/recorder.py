@@ -110,12 +110,13 @@ class Recorder:
     def _write(self) -> None:
         """Gives Rerun everything so far to write while the episode goes on."""
         moments = self._buffer.take()
+        felt = self._events.felt()
         self._events.send(self._stream)
         self._choices.send(self._stream)
         # After those, so that what a kill leaves of a file has all that belongs to the
         # moments in it.
         if len(moments):
-            send_moments(self._stream, self._scenario, moments, self._total)
+            send_moments(self._stream, self._scenario, moments, self._total, felt)
             self._situations.send(self._stream, moments)
             self._total = self._total + moments.reward.sum(axis=0)
         self._written = time.monotonic()

@@ -109,7 +109,6 @@ def _bodies(stream: Stream, scenario: Scenario) -> None:
     stream.send_static("world/people/signs", signs)
     touches = rr.Points2D.from_fields(radii=0.09, draw_order=60.0)
     stream.send_static("world/touches", touches)
-    stream.send_static("world/touches/texts", names)
     for entity, color, radius in (("true", TRUE, 0.05), ("believed", BELIEVED, 0.02)):
         line = rr.LineStrips2D.from_fields(
             radii=radius, colors=packed([color]), draw_order=55.0 - 100 * radius

@@ -20,17 +20,18 @@ LONGEST = 240
 """Of a situation in words; what is longer is cut [characters]."""
 
 
-def page(choice: "Choice", behaviors: Sequence[str]) -> str:
+def page(choice: "Choice", begun: "Choice", behaviors: Sequence[str]) -> str:
     """The page as Markdown.
 
     Args:
         choice: What was chosen, and from what.
+        begun: The choice with which the behavior began, often the same.
         behaviors: Names of all behaviors.
     """
     best = int(choice.reference.argmax())
     return "\n\n".join(
         (
-            _headline(choice, behaviors),
+            _headline(choice, begun, behaviors),
             _table(choice, behaviors, best),
             f"**Sees** {_cut(choice.situation)}",
             f"**Takes it for** {_cut(choice.represented)}"
@@ -44,21 +45,25 @@ def page(choice: "Choice", behaviors: Sequence[str]) -> str:
     )
 
 
-def _headline(choice: "Choice", behaviors: Sequence[str]) -> str:
+def _headline(choice: "Choice", begun: "Choice", behaviors: Sequence[str]) -> str:
     name = behaviors[choice.behavior]
-    if not choice.chosen:
-        return f"**{name}** goes on; the situation changed"
-    how = "greedy" if choice.is_greedy else "explored"
-    if choice.probabilities is None:
+    how = "greedy" if begun.is_greedy else "explored"
+    if begun.probabilities is not None:
+        how += f", probability {begun.probabilities[choice.behavior]:.0%}"
+    if choice.chosen:
         return f"**{name}**, {how}"
-    return f"**{name}**, {how}, probability {choice.probabilities[choice.behavior]:.0%}"
+    return f"**{name}** goes on (chosen before: {how})"
 
 
 def _table(choice: "Choice", behaviors: Sequence[str], best: int) -> str:
     """Bars with value, probability, touches and updates, one line for each behavior."""
     width = max(map(len, behaviors))
     span = max(float(abs(choice.values).max()), 0.25)
-    lines = [f"{'':{width + 3 + 2 * HALF}} value  prob  n  upd"]
+    # The first line is short, since the viewer has a button at its end.
+    lines = [
+        f"{CHOSEN} does   {REFERENCE} best for the people   n: touches",
+        f"{'':{width + 3 + 2 * HALF}} value  prob  n upd",
+    ]
     for k, name in enumerate(behaviors):
         mark = CHOSEN if k == choice.behavior else " "
         mark += REFERENCE if k == best else " "

@@ -47,6 +47,9 @@ BODY, PAPER = (30, 30, 30), (255, 255, 255)
 SIGN = 0.62
 """Size of the sign in a person's body, as a share of its radius."""
 
+PAD = (6, 2)
+"""By how much the background of a text is larger than the text [pixels]."""
+
 Point = tuple[float, float]
 
 
@@ -103,6 +106,7 @@ class Painter:
         self._draw_gazes(surface, snapshot)
         self._draw_bodies(surface, snapshot)
         self._draw_touches(surface)
+        self._draw_words(surface, snapshot)
         caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
         text = f"{caption}    decision {snapshot.decision}"
         at = 8 * self._unit, self._size[1] - self._caption + 4 * self._unit
@@ -153,32 +157,49 @@ class Painter:
 
     def _draw_bodies(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
         n = len(self._scenario.people)
-        texts = list(self._scenario.person_names)
         for i in range(n):
-            color = self._colors[i]
-            self._draw_body(surface, snapshot, i, color)
+            self._draw_body(surface, snapshot, i, self._colors[i])
             self._draw_sign(surface, snapshot, i)
-        for j, name in enumerate(self._scenario.robot_names):
-            doing = int(snapshot.behavior[j])
+        for j, doing in enumerate(snapshot.behavior.tolist()):
             color = rgb(self._behaviors[doing] if doing >= 0 else IDLE)
             self._draw_body(surface, snapshot, n + j, color)
-            word = self._scenario.behaviors[doing] if doing >= 0 else "-"
-            texts.append(f"{name}: {word}")
-        self._draw_names(surface, snapshot, texts)
 
-    def _draw_names(
-        self, surface: "pygame.Surface", snapshot: Snapshot, texts: list[str]
-    ) -> None:
-        """Names where they cover least, on a light background."""
-        scale = self._raster.scale
-        size = np.add([self._font.size(text) for text in texts], (6.0, 2.0))
-        people = len(self._scenario.people)
-        radius = np.array([self._radii[i >= people] for i in range(len(texts))])
-        centers = place_labels(snapshot.position[None], radius, size / scale)[0]
-        for text, center in zip(texts, centers, strict=True):
-            self._write(
-                surface, text, self._at(center), (0.0, -self._font.size(text)[1] / 2)
-            )
+    def _draw_words(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        """Names, and the kinds of touches, where they cover least."""
+        labels = self.words(snapshot)
+        scale, raster = self._raster.scale, self._raster
+        size = np.add([self._font.size(text) for text, _, _, _ in labels], PAD) / scale
+        left, top = raster.left - self._margin / scale, raster.top
+        right, bottom = left + SIZE[0] / scale, top - (SIZE[1] - CAPTION) / scale
+        centers = place_labels(
+            np.array([[spot for _, spot, _, _ in labels]]),
+            np.array([radius for _, _, radius, _ in labels]),
+            size[None],
+            np.array([left, bottom, right, top]),
+        )[0]
+        for (text, _, _, color), center in zip(labels, centers, strict=True):
+            self._write(surface, text, self._at(center), color)
+
+    def words(
+        self, snapshot: Snapshot
+    ) -> list[tuple[str, Point, float, tuple[int, int, int]]]:
+        """What is written: the text, of what, how large that is [m], and its color."""
+        scenario, n = self._scenario, len(self._scenario.people)
+        texts = [*scenario.person_names, *self._robot_texts(snapshot)]
+        spots = [(float(x), float(y)) for x, y in snapshot.position]
+        labels = [
+            (text, spot, self._radii[i >= n], BODY)
+            for i, (text, spot) in enumerate(zip(texts, spots, strict=True))
+        ]
+        for robot, (_, _, kind) in self._recent.items():
+            spot = spots[n + scenario.robot_names.index(robot)]
+            labels.append((kind, spot, 1.8 * ROBOT_RADIUS, _touch_color(kind)))
+        return labels
+
+    def _robot_texts(self, snapshot: Snapshot) -> list[str]:
+        behaviors = [*self._scenario.behaviors, "-"]  # Before the first choice.
+        pairs = zip(self._scenario.robot_names, snapshot.behavior.tolist(), strict=True)
+        return [f"{name}: {behaviors[doing]}" for name, doing in pairs]
 
     def _draw_sign(self, surface: "pygame.Surface", snapshot: Snapshot, i: int) -> None:
         """What a person does, as a line drawing on its body."""
@@ -214,29 +235,29 @@ class Painter:
             draw.rect(surface, BODY, box, 1)
 
     def _draw_touches(self, surface: "pygame.Surface") -> None:
-        """A ring around the robot and a word, green for a caress, red for a tap."""
+        """A ring where a robot was touched, green for a caress, red for a tap."""
+        radius = self._radii[1] * self._raster.scale + 7
         for _, spot, kind in self._recent.values():
-            color = rgb(CARESS if kind == "caress" else TAP)
-            radius = self._radii[1] * self._raster.scale + 7
-            self._pygame.draw.aacircle(surface, color, spot, radius, 4)
-            self._write(surface, kind, spot, (0.0, -radius - 16), color)
+            self._pygame.draw.aacircle(surface, _touch_color(kind), spot, radius, 4)
 
     def _write(
         self,
         surface: "pygame.Surface",
         text: str,
         at: Point,
-        offset: Point,
-        color: tuple[int, int, int] = BODY,
+        color: tuple[int, int, int],
     ) -> None:
         """Writes text on a light background, centered, inside the picture."""
         words = self._font.render(text, True, color)
-        box = words.get_rect(midtop=(at[0] + offset[0], at[1] + offset[1] + 3))
-        box.clamp_ip(surface.get_rect())
-        ground = self._pygame.Surface(box.inflate(6, 2).size, self._pygame.SRCALPHA)
+        box = words.get_rect(center=at)
+        ground = self._pygame.Surface(box.inflate(PAD).size, self._pygame.SRCALPHA)
         ground.fill((255, 255, 255, 200))
-        surface.blit(ground, box.inflate(6, 2))
+        surface.blit(ground, box.inflate(PAD))
         surface.blit(words, box)
+
+
+def _touch_color(kind: str) -> tuple[int, int, int]:
+    return rgb(CARESS if kind == "caress" else TAP)
 
 
 class Screen:
