@@ -79,7 +79,7 @@ class Panel:
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """Panels one below the other, with one time axis."""
+    """Panels one below the other, with one horizontal axis."""
 
     title: str
     """What the column shows."""
@@ -87,18 +87,24 @@ class Column:
     panels: tuple[Panel, ...]
     """From top to bottom."""
 
+    across: str = "time [min]"
+    """What the x axis shows, with its unit."""
 
-def save(columns: Sequence[Column], stem: Path) -> tuple[Path, Path]:
-    """Writes a figure as SVG and as PNG.
+
+def save(
+    columns: Sequence[Column], stem: Path, kinds: Sequence[str] = (".svg", ".png")
+) -> tuple[Path, ...]:
+    """Writes a figure, as SVG and as PNG unless said otherwise.
 
     Args:
         columns: Shown side by side.
         stem: Path without its suffix.
+        kinds: Suffixes of the files.
 
     Returns:
-        The two files.
+        The files.
     """
-    paths = stem.with_suffix(".svg"), stem.with_suffix(".png")
+    paths = tuple(stem.with_suffix(kind) for kind in kinds)
     with styled():
         figure = _arranged(columns)
         for path in paths:
@@ -150,7 +156,7 @@ def _arranged(columns: Sequence[Column]) -> Figure:
             panel.draw(axes)
         below = 14 if grid[0, index].get_legend() is None else 26
         grid[0, index].set_title(column.title, pad=below)
-        grid[-1, index].set_xlabel("time [min]")
+        grid[-1, index].set_xlabel(column.across)
         grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.align_ylabels()
     figure.draw_without_rendering()  # lays out

@@ -107,16 +107,14 @@ def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> Non
         )
 
 
-def run_study(
-    study: Study, out: Path | str, workers: int | None = 1
-) -> polars.DataFrame:
+def run_study(study: Study, out: Path | str, engine: str = "here") -> polars.DataFrame:
     """Runs what is still missing of a study, and returns its table.
 
     Args:
-        study: What to run. With more than one worker, its `run` and the program that
-            calls this need a module that other processes can import.
+        study: What to run.
         out: The directory that gets a directory for the study.
-        workers: Processes; 1: here, one trial after the other; None: one for each core.
+        engine: Where to run trials, see `open_engine`. With any but `here`, the
+            program that calls this needs a guard of its main module.
 
     Returns:
         The tables of all trials, with the columns `condition` and `seed`.
@@ -127,7 +125,7 @@ def run_study(
         HouseholdError: If the study's scenario cannot be used.
     """
     jobs = prepare((study,), Path(out))
-    run(jobs, open_engine("local", workers), lambda: None)
+    run(jobs, open_engine(engine), lambda: None)
     return Results(Path(out) / study.name).read(study)
 
 

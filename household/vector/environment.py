@@ -105,6 +105,8 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         "render_modes": [],
         "autoreset_mode": AutoresetMode.SAME_STEP,
     }
+    autoreset_mode = AutoresetMode.SAME_STEP
+    """As Gymnasium's own vector environments have it, and TorchRL asks for."""
 
     def __init__(
         self, plan: Plan, *, workers: int, seed: int | None, copy: bool

@@ -8,7 +8,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from experiments.errors import ExperimentError, unknown
-from experiments.running.engine.local import local_executor
+from experiments.running.engine.local import Here, local_executor
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +27,8 @@ def open_engine(spec: str = "local", workers: int | None = None) -> Engine:
 
     Args:
         spec: `local`, `dask`, `dask:ADDRESS`, `ray` or `ray:ADDRESS`. With an
-            address trials run on that cluster; without one, on this machine.
+            address trials run on that cluster; without one, on this machine. `here`:
+            in this process, one after the other.
         workers: Processes on this machine; None: one for each core.
 
     Raises:
@@ -45,6 +46,12 @@ def _local(address: str, workers: int) -> Engine:
     if address:
         raise ExperimentError(f"engine 'local' takes no address, got {address!r}.")
     return Engine(open=lambda: local_executor(workers), window=workers)
+
+
+def _here(address: str, workers: int) -> Engine:
+    if address:
+        raise ExperimentError(f"engine 'here' takes no address, got {address!r}.")
+    return Engine(open=Here, window=1)
 
 
 def _dask(address: str, workers: int) -> Engine:
@@ -74,6 +81,7 @@ def _missing(extra: str, error: ImportError) -> ExperimentError:
 
 _ENGINES: dict[str, Callable[[str, int], Engine]] = {
     "local": _local,
+    "here": _here,
     "dask": _dask,
     "ray": _ray,
 }
