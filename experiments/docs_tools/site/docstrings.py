@@ -12,16 +12,14 @@ BEFORE_NAPOLEON = 400
 
 
 def keep_colons(
-    _app: object,
-    what: str,
-    _name: str,
-    _obj: object,
-    _options: object,
-    lines: list[str],
+    _app: object, what: str, _name: str, _obj: object, _given: object, lines: list[str]
 ) -> None:
-    """Else Napoleon takes what stands before a colon for the type of an attribute."""
+    """Else Napoleon takes what stands before a colon for the type of an attribute.
+
+    It looks at the first line alone, which from now on is an empty comment.
+    """
     if what in ("attribute", "data", "property"):
-        lines.insert(0, "")
+        lines[:0] = ["..", ""]
 
 
 def leave_out(
