@@ -16,7 +16,7 @@ test: .venv/developing
 # The site in build/docs/html, from docs/, docstrings and the code; a warning is an error.
 docs: .venv/documenting
 	$(BIN)/python -m experiments.docs_tools.site build/docs/source
-	$(BIN)/sphinx-build -q -W --keep-going build/docs/source build/docs/html
+	$(BIN)/sphinx-build -q -W --keep-going -j auto build/docs/source build/docs/html
 	@echo "build/docs/html/index.html"
 
 # Trials on Dask and on Ray; `make test` leaves Ray out, which is 250 MB.

@@ -11,7 +11,8 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
-    "experiments.docs_tools.site.mathml",
+    "experiments.docs_tools.site.docstrings",
+    "experiments.docs_tools.site.formulas",
 ]
 exclude_patterns = ["_static"]
 toc_object_entries = False  # hundreds of entries in the sidebar, copied to each page
@@ -30,7 +31,7 @@ napoleon_google_docstring = True
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
 add_module_names = False
-python_maximum_signature_line_length = 72
+python_maximum_signature_line_length = 110
 
 html_theme = "furo"
 html_title = "Household"
@@ -39,4 +40,4 @@ html_css_files = ["site.css"]
 html_show_sphinx = False
 html_show_sourcelink = False
 html_copy_source = False
-html_math_renderer = "mathml"
+html_math_renderer = "drawn"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 
@@ -50,11 +50,13 @@ def rooms_of(package: str) -> Mapping[str, Sequence[str]]:
     return rooms
 
 
-def _inside(room: str) -> Iterator[str]:
-    """All modules in a room, at any depth."""
-    path = import_module(room).__path__
-    for found in pkgutil.walk_packages(path, f"{room}."):
-        yield found.name
+def _inside(room: str) -> Sequence[str]:
+    """All modules in a room, at any depth; first those of what the room exports."""
+    package = import_module(room)
+    names = [one.name for one in pkgutil.walk_packages(package.__path__, f"{room}.")]
+    parts = [getattr(package, name) for name in getattr(package, "__all__", ())]
+    exporting = {getattr(part, "__module__", "") for part in parts}
+    return sorted(names, key=lambda name: name not in exporting)
 
 
 def _first_line(module: str) -> str:
