@@ -30,7 +30,7 @@ class StudyCommand:
 
     name: Annotated[Positional[str], arg(metavar="NAME")]
     """transfer, heterogeneity, actors, newcomers, homes, teachers, drift, robots,
-    cross_play, suite, tuning; crowd, plenty, strangers; or my_study.py."""
+    cross_play, suite, deep, tuning; crowd, plenty, strangers; or my_study.py."""
 
     seeds: int | None = None
     """Seeds of each condition; as many as the study wants unless said otherwise."""

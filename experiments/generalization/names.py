@@ -19,6 +19,7 @@ NAMES = (
     "robots",
     "cross_play",
     "suite",
+    "deep",
     "tuning",
 )
 """Each is a module of this package with an `INQUIRY`."""

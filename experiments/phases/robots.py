@@ -5,12 +5,13 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Generator, Hashable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from experiments.errors import ExperimentError
 from experiments.phases.records import Phases
+from experiments.phases.seeing import SeeingHome, observes
 from experiments.phases.world import Residence, household
 from experiments.running.trial import describe, make_learner_of
 from experiments.scoring.policies import imported
@@ -122,6 +123,14 @@ class Diary(Observer):
         self.touches += sum(len(env.feedback(agent)) for agent in robots)
 
 
+def home_of(team: Team, residence: Residence, steps: int) -> Household:
+    """Returns a household as these learners want to see it."""
+    env = household(residence, steps)
+    if any(observes(learner) for learner in team.members.values()):
+        return cast("Household", SeeingHome(env))
+    return env
+
+
 def teach(
     team: Team, residences: Sequence[Residence], decisions: int, words: Sequence[int]
 ) -> Diary:
@@ -136,7 +145,7 @@ def teach(
     diary = Diary()
     for residence, word in zip(residences, words, strict=True):
         if decisions:
-            env = household(residence, decisions)
+            env = home_of(team, residence, decisions)
             run_episode(env, robots_of(team), seed=word, observers=[diary])
     return diary
 

@@ -25,6 +25,7 @@ from experiments.phases.robots import (
     brought_back,
     can_be_kept,
     described_learner,
+    home_of,
     kept,
     learns,
     new_team,
@@ -32,6 +33,7 @@ from experiments.phases.robots import (
     teach,
     touched,
 )
+from experiments.phases.seeing import Slotted, observes
 from experiments.phases.splits import HASHES
 from experiments.phases.world import Residence, described, household
 from experiments.running.study import Condition, Trial
@@ -44,7 +46,9 @@ from learners.team import Team
 if TYPE_CHECKING:
     import polars
 
+    from household.environment import Household
     from learners.learner import Learner
+    from policies.learning import LearningRobot
 
 WALKS, STEPS = 2, 900
 """Reference walks that a probe set is drawn from, and their length [steps]."""
@@ -196,7 +200,7 @@ def _adapted(
 ) -> Iterator[Row]:
     """The rows of one household, as its robots adapt to it."""
     probing, probes = condition.probing, _probes(residence)
-    env = household(residence, probing.decisions)
+    env = home_of(team, residence, probing.decisions)
     robots, diary = robots_of(team), Diary()
     going_on = touched(env, robots, seed, diary)
     for touches in probing.touches:
@@ -206,9 +210,7 @@ def _adapted(
         last = touches == probing.touches[-1]
         if last:
             going_on.close()
-        policy = _policy_of(
-            {agent: robot.learner for agent, robot in robots.items()}, rng
-        )
+        policy = _policy_of(robots, rng, env)
         lived = probing.lived if last else 0
         yield _row(residence, policy, probes, lived) | {
             "touches": touches,
@@ -218,13 +220,32 @@ def _adapted(
         }
 
 
-def _policy_of(learners: Mapping[str, Learner], rng: np.random.Generator) -> Policy:
+def _policy_of(
+    robots: Mapping[str, LearningRobot], rng: np.random.Generator, env: Household
+) -> Policy:
+    """What robots that no longer learn would do."""
     return of_robots(
         {
-            agent: of_learner(cast("Learner", _Remembering(learner)), rng)
-            for agent, learner in learners.items()
+            agent: _looking(robot.learner, env)
+            if observes(robot.learner)
+            else of_learner(cast("Learner", _Remembering(robot.learner)), rng)
+            for agent, robot in robots.items()
         }
     )
+
+
+def _looking(learner: Learner, env: Household) -> Policy:
+    """What a learner that looks at the features would do."""
+    slotted = Slotted(env)
+
+    def greedy(sight: Sight) -> int:
+        seen = slotted.seen(sight.situation, sight.observation)
+        return int(learner.q_values(seen).argmax())
+
+    def deployed(sight: Sight) -> int:
+        return learner.act(slotted.seen(sight.situation, sight.observation))
+
+    return Policy(greedy=greedy, deployed=deployed)
 
 
 class _Remembering:

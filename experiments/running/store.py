@@ -56,6 +56,11 @@ _PACKAGES = (
 )
 
 
+BLOCK = 1_000
+"""So many trials are read at a time: what Arrow holds of small files is ten times their
+size."""
+
+
 class Results:
     """The directory of one study."""
 
@@ -184,7 +189,6 @@ class Results:
             ExperimentError: If a trial is missing or damaged.
         """
         import polars as pl
-        import pyarrow as pa
 
         trials = study.trials()
         absent = [trial for trial in trials if not self.file(trial).exists()]
@@ -193,14 +197,27 @@ class Results:
                 f"{self.directory}: {len(absent)} of {len(trials)} trials are "
                 f"missing, e.g. {absent[0]}; run the same command again to add them."
             )
-        tables = [self._arrow(trial, study.columns) for trial in trials]
-        for trial, table in zip(trials, tables, strict=True):
-            if not table.schema.equals(tables[0].schema):
+        first = self._arrow(trials[0], study.columns).schema
+        return pl.concat(
+            self._block(trials[at : at + BLOCK], study.columns, first)
+            for at in range(0, len(trials), BLOCK)
+        )
+
+    def _block(
+        self, trials: Sequence[Trial], columns: Sequence[str], schema: pyarrow.Schema
+    ) -> polars.DataFrame:
+        """Returns some trials in one frame, which is made only once for all of them."""
+        import polars as pl
+        import pyarrow as pa
+
+        tables = []
+        for trial in trials:
+            tables.append(self._arrow(trial, columns))
+            if not tables[-1].schema.equals(schema):
                 raise ExperimentError(
-                    f"{self.file(trial)}: its columns are other than those of "
-                    f"{trials[0]}. Delete one of them, and run it again."
+                    f"{self.file(trial)}: its columns are other than those of the "
+                    "first trial. Delete one of them, and run it again."
                 )
-        # As one table first: making a frame of each is what takes longest.
         rows = [table.num_rows for table in tables]
         whole = pl.DataFrame(pa.concat_tables(tables))
         return pl.concat([_labels(trials, rows), whole], how="horizontal")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import secrets
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -64,6 +65,10 @@ def _dask(address: str, workers: int) -> Engine:
 
 
 def _ray(address: str, workers: int) -> Engine:
+    if not address:
+        # Before the import, which reads them: a token for a cluster of our own.
+        os.environ.setdefault("RAY_AUTH_MODE", "token")
+        os.environ.setdefault("RAY_AUTH_TOKEN", secrets.token_hex(32))
     try:
         from experiments.running.engine.ray import RayExecutor, connect
     except ImportError as error:
