@@ -334,7 +334,7 @@ def test_a_disk_that_fills_while_training_keeps_results_before_the_replay(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", ["8k", "64k", "120k", "160k", "200k", "200k"])
+@pytest.mark.parametrize("size", ["8k", "64k", "120k", "160k", "200k"])
 def test_on_a_disk_too_small_for_a_replays_beginning_nothing_waits(
     mounted, program, size
 ):
