@@ -91,7 +91,7 @@ def run(tmp_path, monkeypatch):
 
 
 def test_a_command_line_is_done_or_refused_in_one_line(explore, run):
-    explore(command_lines(), run, few=40)
+    explore(command_lines(), run, few=25)
 
 
 def test_a_scenario_file_is_checked_and_trained_in_or_refused_in_one_line(
@@ -107,4 +107,4 @@ def test_a_scenario_file_is_checked_and_trained_in_or_refused_in_one_line(
             assert run(["train", str(path)]) == "done"
         return came
 
-    explore(scenarios(), check, few=8)
+    explore(scenarios(), check, few=3)
