@@ -11,7 +11,6 @@ import numpy as np
 
 from learners.errors import SavedFileError, shown
 
-
 _Check = Callable[[Any, tuple[Any, ...]], bool]
 
 
