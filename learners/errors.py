@@ -2,6 +2,7 @@
 
 from collections.abc import Hashable
 from numbers import Integral, Real
+from typing import cast
 
 MOST, LEAST = 1e9, 1e-9
 """Largest number of any kind, and smallest of those that must be above 0: beyond, sums
@@ -62,7 +63,7 @@ def shown(value: object) -> str:
 def is_within(value: object, low: float, high: float) -> bool:
     """Whether a value is a number in [low, high]; NaN is in no range."""
     # Floats first: the abstract class takes ten times as long to ask.
-    return isinstance(value, (float, Real)) and bool(low <= value <= high)
+    return isinstance(value, (float, Real)) and bool(low <= cast(float, value) <= high)
 
 
 def check_range(name: str, value: float, low: float, high: float = MOST) -> None:

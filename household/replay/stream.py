@@ -3,6 +3,7 @@
 Rerun changes between minor versions; only the modules of this folder call it.
 """
 
+import ctypes
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable
@@ -131,6 +132,7 @@ class Stream:
             except RuntimeError:
                 self._failed = not attempt or _is_full(self._path)
                 if self._failed:
+                    _abandon(recording)
                     raise
             else:
                 return
@@ -141,9 +143,10 @@ class Stream:
 
         if self._recording is not None:
             recording, self._recording = self._recording, None
-            if not self._failed:
-                self._despite_viewer(lambda: self._wait_for(recording))
-                self._despite_viewer(recording.disconnect)
+            if self._failed:
+                return
+            self._despite_viewer(lambda: self._wait_for(recording))
+            self._despite_viewer(recording.disconnect)
             del recording
             # Otherwise each closed stream would keep two threads forever.
             cleanup = rerun_bindings.flush_and_cleanup_orphaned_recordings
@@ -159,6 +162,19 @@ class Stream:
                     f"{shown_path(self._path)}: cannot be written to its end; the "
                     "disk may be full"
                 ) from None
+
+
+def _abandon(recording: "rr.RecordingStream") -> None:
+    """Leaves a recording that cannot be written to its end as it is.
+
+    Rerun may wait forever when one is taken down whose disk is full, and at the end of
+    the process. So this one is never taken down: one more reference to it is counted
+    than there is, since Python clears even what its modules hold.
+    """
+    import rerun as rr
+
+    ctypes.pythonapi.Py_IncRef(ctypes.py_object(recording))
+    rr.unregister_shutdown()
 
 
 def _is_full(path: Path) -> bool:

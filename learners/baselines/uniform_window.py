@@ -45,6 +45,7 @@ class UniformWindow(CreditRule):
             entry = history.entries[index]
             overlap = min(entry.next_time, end) - max(entry.time, begin)
             if overlap > 0.0:
-                weights[index] = overlap / (self.furthest - self.nearest)
+                share = overlap / (self.furthest - self.nearest)
+                weights[index] = min(share, 1.0)  # Rounding can make it more.
         most = max(weights, key=weights.__getitem__, default=None)
         return Weighing(weights, most)

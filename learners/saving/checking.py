@@ -11,6 +11,8 @@ import numpy as np
 
 from learners.errors import SavedFileError, shown
 
+_Check = Callable[[Any, tuple[Any, ...]], bool]
+
 
 def check_fields(cls: type, values: Mapping[str, object]) -> None:
     """Refuse values that are not what a dataclass declares.
@@ -34,7 +36,8 @@ def fits(value: Any, hint: Any) -> bool:  # noqa: ANN401 - any value of any type
     """Whether a value is of an annotated type; numbers must be finite."""
     origin = get_origin(hint)
     if origin is not None:
-        return _CONTAINERS.get(origin, _anything)(value, get_args(hint))
+        check: _Check = _CONTAINERS.get(origin, _anything)
+        return check(value, get_args(hint))
     if hint in _PLAIN:
         return _PLAIN[hint](value)
     if not isinstance(hint, type):
@@ -82,7 +85,9 @@ def _is_one_of(value: object, hints: tuple[Any, ...]) -> bool:
     return any(fits(value, hint) for hint in hints)
 
 
-def _all_in(kind: type) -> Callable[[Any, tuple[Any, ...]], bool]:
+def _all_in(
+    kind: type[list[Any]] | type[frozenset[Any]],
+) -> _Check:
     return lambda value, args: (
         isinstance(value, kind) and all(fits(item, args[0]) for item in value)
     )
@@ -96,7 +101,7 @@ _PLAIN: dict[Any, Callable[[Any], bool]] = {
     Hashable: _is_hashable,
 }
 
-_CONTAINERS: dict[Any, Callable[[Any, tuple[Any, ...]], bool]] = {
+_CONTAINERS: dict[Any, _Check] = {
     Literal: lambda value, args: any(value == each for each in args),
     Union: _is_one_of,
     UnionType: _is_one_of,

@@ -334,6 +334,22 @@ def test_a_disk_that_fills_while_training_keeps_results_before_the_replay(
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("size", ["8k", "64k", "120k", "160k", "200k"])
+def test_on_a_disk_too_small_for_a_replays_beginning_nothing_waits(
+    mounted, program, size
+):
+    """Rerun did, at the end of the process, in one of two runs."""
+    out = mounted(f"size={size}") / "out"
+    words = ["train", "evening", "--decisions", "300", "--out", out]
+    process = program(TINY_DEMANDS, *words)
+    _, said = process.communicate(timeout=120)
+    last = [line for line in said.splitlines() if line.startswith("household: ")]
+    assert process.returncode == 2
+    assert "cannot be written to its end; the disk may be full" in last[-1]
+    assert "Traceback" not in said
+
+
+@pytest.mark.slow
 def test_on_a_disk_that_cannot_be_written_to_every_command_is_one_line(mounted, capsys):
     out = mounted("size=1m,ro") / "out"
     for words in (

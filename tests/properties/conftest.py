@@ -10,7 +10,7 @@ from hypothesis.strategies import SearchStrategy
 
 from .living import no_hanging
 
-AT_LENGTH = 40
+AT_LENGTH = 100
 """Times as many inputs are tried where there is time."""
 
 SLOWEST = 1.0

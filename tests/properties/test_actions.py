@@ -52,7 +52,7 @@ def test_an_action_is_refused_in_one_line_or_lived_through(explore, home, deepes
         check_moment(home, open_air, deepest)
         return "accepted"
 
-    explore(ACTIONS, check, few=150)
+    explore(ACTIONS, check, few=60)
     assert home.decision >= min(STEPS, explore.counts["accepted"])
 
 
@@ -66,7 +66,7 @@ def test_a_seed_is_refused_in_one_line_or_begins_an_episode(explore, home):
         assert home.decision == 0
         return "accepted"
 
-    explore(ODD | st.sampled_from(NUMBERS), check, few=50)
+    explore(ODD | st.sampled_from(NUMBERS), check, few=30)
     home.reset(seed=0)
 
 
@@ -85,7 +85,7 @@ def test_an_agent_is_refused_in_one_line_or_told_of(explore, home):
 
     agents = st.sampled_from(home.possible_agents) | ODD
     spaces = ("observation_space", "action_space", "opinion")
-    explore(st.tuples(st.sampled_from(ASKED + spaces), agents), check, few=80)
+    explore(st.tuples(st.sampled_from(ASKED + spaces), agents), check, few=40)
 
 
 def test_an_argument_is_refused_in_one_line_or_makes_a_household(explore):
@@ -106,5 +106,5 @@ def test_an_argument_is_refused_in_one_line_or_makes_a_household(explore):
             max_size=2,
         ),
         check,
-        few=50,
+        few=20,
     )

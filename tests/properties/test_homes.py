@@ -35,7 +35,7 @@ def test_a_home_is_refused_in_one_line_or_lived_in(explore, deepest, tmp_path):
         assert longest < explore.slowest
         return "accepted"
 
-    explore(homes(), check, few=40)
+    explore(homes(), check, few=15)
 
 
 def residents(plan):
@@ -68,4 +68,4 @@ def test_a_family_is_refused_in_one_line_or_its_households_lived_in(
         assert live(load_scenario(scenario), seed, deepest) < explore.slowest
         return "accepted"
 
-    explore(families(), check, few=25)
+    explore(families(), check, few=8)

@@ -54,7 +54,7 @@ def test_canonical_forms_do_not_depend_on_who_is_who_and_are_their_own(explore):
         return "checked"
 
     swaps = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), max_size=6)
-    explore(st.tuples(situations(), swaps), check, few=60)
+    explore(st.tuples(situations(), swaps), check, few=40)
 
 
 HOUSEHOLDS = st.tuples(
@@ -93,7 +93,7 @@ def test_rewards_are_the_touches_and_every_touch_has_a_cause_that_happened(explo
                     assert 0.0 < touch.strength <= 1.0
         return "with touches" if felt else "without touches"
 
-    explore(HOUSEHOLDS, check, few=8)
+    explore(HOUSEHOLDS, check, few=3)
 
 
 def test_touches_are_the_events_of_the_replay(explore, tmp_path):
@@ -128,7 +128,7 @@ def test_touches_are_the_events_of_the_replay(explore, tmp_path):
             assert shown.reward.tolist() == rewards
         return "with touches" if any(t for _, t in lived) else "without touches"
 
-    explore(HOUSEHOLDS, check, few=3)
+    explore(HOUSEHOLDS, check, few=2)
 
 
 RULES = st.sampled_from(list(COMPONENTS["credit"]))
@@ -178,7 +178,7 @@ def test_eligibility_is_a_share_whatever_the_rule(explore):
         assert all(0.0 < weight <= most for weight in weights.values())
         return name
 
-    explore(st.tuples(RULES, SPANS, TOUCHES), check, few=100)
+    explore(st.tuples(RULES, SPANS, TOUCHES), check, few=60)
 
 
 class Corner:
@@ -269,4 +269,4 @@ def test_walks_never_cross_walls_however_the_home_is_turned_and_shifted(
         st.tuples(st.floats(-500.0, 500.0), st.floats(-500.0, 500.0)),
         st.floats(0.3, 3.0),
     )
-    explore(ways, check, few=10)
+    explore(ways, check, few=6)

@@ -177,7 +177,7 @@ def test_a_learner_is_refused_in_one_line_or_learns_and_goes_on_from_its_file(
         lives(learner, lived, [again])
         return "accepted"
 
-    explore(st.tuples(recipes(), entries()), check, few=100)
+    explore(st.tuples(recipes(), entries()), check, few=60)
 
 
 ODD_FIELDS = st.dictionaries(
@@ -213,7 +213,9 @@ def test_what_cannot_be_lived_through_is_refused_and_teaches_nothing(explore, tm
         return "accepted"
 
     explore(
-        st.tuples(st.sampled_from(("q_social", "designated")), ODD_FIELDS), check, 60
+        st.tuples(st.sampled_from(("q_social", "designated")), ODD_FIELDS),
+        check,
+        few=40,
     )
 
 
@@ -236,7 +238,7 @@ def test_a_touch_that_cannot_be_is_refused_in_one_line(explore):
             return "refused"
         return "accepted"
 
-    explore(ODD_TOUCHES, check, 60)
+    explore(ODD_TOUCHES, check, few=60)
 
 
 @pytest.fixture(scope="module")
@@ -300,4 +302,4 @@ def test_a_strangers_learner_is_refused_in_one_line_or_learns(explore, saved, tm
     cases = st.sampled_from(list(saved)).flatmap(
         lambda name: st.tuples(st.just(name), changed(saved[name], None))
     )
-    explore(cases, check, 60)
+    explore(cases, check, few=25)

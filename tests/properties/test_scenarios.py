@@ -37,7 +37,7 @@ def test_a_scenario_is_refused_in_one_line_or_lived_in(explore, lived_in):
         fields = {name: value for name, value in data.items() if name != "scenario"}
         return lived_in("experiment_1", **fields)
 
-    explore(scenarios(), check, few=60)
+    explore(scenarios(), check, few=25)
 
 
 def test_a_file_has_faults_if_and_only_if_it_cannot_be_loaded(explore, tmp_path):
@@ -57,7 +57,7 @@ def test_a_file_has_faults_if_and_only_if_it_cannot_be_loaded(explore, tmp_path)
         assert not lines
         return "accepted"
 
-    explore(scenarios(), check, few=60)
+    explore(scenarios(), check, few=20)
 
 
 def test_a_persona_is_refused_in_one_line_or_lived_with(explore, lived_in):
@@ -65,13 +65,14 @@ def test_a_persona_is_refused_in_one_line_or_lived_with(explore, lived_in):
         people = [{"name": "ann", "persona": data}, {"name": "ben"}]
         return lived_in("evening", people=people, heterogeneity=0.5)
 
-    explore(personas(), check, few=30)
+    explore(personas(), check, few=10)
 
 
 def test_norms_are_refused_in_one_line_or_lived_by(explore, lived_in):
-    explore(norms(), lambda data: lived_in("party", norms=data), few=30)
+    explore(norms(), lambda data: lived_in("party", norms=data), few=8)
 
 
+@pytest.mark.slow
 def test_a_household_of_the_most_of_everything_is_lived_in(deepest):
     """As many people, robots and behaviors as are allowed, at the finest clock."""
     from household.home.sources.generator import generate

@@ -59,7 +59,7 @@ def test_a_condition_is_refused_in_one_line_or_described_and_made(explore):
             return "refused"
         return "accepted"
 
-    explore(changed(USUAL, None, 2), check, few=60)
+    explore(changed(USUAL, None, 2), check, few=25)
 
 
 def _nothing(trial):
@@ -104,7 +104,7 @@ def test_a_study_file_is_read_or_refused_in_one_line(explore, stored, capsys):
             return "refused"
         return "accepted"
 
-    explore(changed(original, None), check, few=60)
+    explore(changed(original, None), check, few=25)
 
 
 TABLES = st.dictionaries(
@@ -137,7 +137,7 @@ def test_a_strangers_table_is_read_or_refused_in_one_line(explore, stored):
         return "accepted"
 
     explore(
-        st.tuples(TABLES, st.integers(0, 10**6), st.integers(0, 255)), check, few=60
+        st.tuples(TABLES, st.integers(0, 10**6), st.integers(0, 255)), check, few=30
     )
 
 
@@ -152,4 +152,4 @@ def test_a_study_of_odd_seeds_is_refused_in_one_line(explore):
             return "refused"
         return "accepted"
 
-    explore(st.lists(st.integers(-1, 5) | ODD, max_size=3).map(tuple), check, few=50)
+    explore(st.lists(st.integers(-1, 5) | ODD, max_size=3).map(tuple), check, few=30)
