@@ -26,7 +26,7 @@ from household.view.colors import (
     robot_colors,
 )
 from household.view.cone import gaze_cones
-from household.view.floorplan_svg import SCALE, draw_on, size_of
+from household.view.floorplan_svg import BORDER, SCALE, draw_on, size_of
 from household.view.labels import place_labels
 from household.view.signs import SIGNS
 
@@ -248,7 +248,9 @@ def _draw_names(axes: Axes, scenario: Scenario, snapshot: Snapshot) -> None:
         [PERSON_RADIUS if i < n else ROBOT_RADIUS for i in range(len(names))]
     )
     size = np.array([name_size(name) for name in names])
-    centers = place_labels(snapshot.position[None], radius, size)[0]
+    plan = scenario.plan
+    bounds = np.concatenate([plan.lower - BORDER, plan.upper + BORDER])
+    centers = place_labels(snapshot.position[None], radius, size[None], bounds)[0]
     box = {"boxstyle": "round,pad=0.12", "fc": PAPER, "ec": "none", "alpha": 0.8}
     text: dict[str, Any] = {"ha": "center", "va": "center_baseline", "zorder": 12}
     for name, (x, y) in zip(names, centers, strict=True):

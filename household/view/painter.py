@@ -170,7 +170,8 @@ class Painter:
         scale, raster = self._raster.scale, self._raster
         size = np.add([self._font.size(text) for text, _, _, _ in labels], PAD) / scale
         left, top = raster.left - self._margin / scale, raster.top
-        right, bottom = left + SIZE[0] / scale, top - (SIZE[1] - CAPTION) / scale
+        width, height = self._size[0], self._size[1] - self._caption
+        right, bottom = left + width / scale, top - height / scale
         centers = place_labels(
             np.array([[spot for _, spot, _, _ in labels]]),
             np.array([radius for _, _, radius, _ in labels]),

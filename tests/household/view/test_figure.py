@@ -84,7 +84,8 @@ def test_names_side_by_side_do_not_cover_each_other():
     size = np.array([figure.name_size(name) for name in names])
     position = np.array([[2.0, 2.0], [2.4, 2.0], [2.2, 2.4], [2.2, 1.7]])
     radius = np.array([0.25, 0.25, 0.25, 0.15])
-    centers = place_labels(position[None], radius, size)[0]
+    bounds = np.array([0.0, 0.0, 5.0, 5.0])
+    centers = place_labels(position[None], radius, size[None], bounds)[0]
     for i in range(len(names)):
         for j in range(i):
             apart = np.abs(centers[i] - centers[j]) - (size[i] + size[j]) / 2
