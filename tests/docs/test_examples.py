@@ -92,9 +92,9 @@ def folder(tmp_path, monkeypatch, root):
 
 
 def test_every_block_says_its_language(page, tokens):
-    """Else it would not be run."""
+    """Else it would not be run; as text are commands of other programs alone."""
     languages = {token.info for token in tokens(page) if token.type == "fence"}
-    assert languages <= {"python", "sh", "toml"}
+    assert languages <= {"python", "sh", "text", "toml"}
 
 
 def test_the_blocks_of_a_page_run_from_top_to_bottom(page, folder):
