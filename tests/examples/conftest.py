@@ -12,6 +12,15 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def run(tmp_path, monkeypatch):
     """Returns a function that runs an example and returns what it made, by name."""
     monkeypatch.chdir(tmp_path)
-    return lambda name: runpy.run_path(
-        str(EXAMPLES / f"{name}.py"), run_name="__main__"
-    )
+    return lambda name: runpy.run_path(str(_file(name)), run_name="__main__")
+
+
+@pytest.fixture
+def run_functions(tmp_path, monkeypatch):
+    """Returns a function that reads an example, without running its main part."""
+    monkeypatch.chdir(tmp_path)
+    return lambda name: runpy.run_path(str(_file(name)))
+
+
+def _file(name):
+    return EXAMPLES / f"{name}.py"
