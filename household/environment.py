@@ -12,7 +12,7 @@ from pettingzoo import ParallelEnv
 
 from household.arguments import check_name, checked_choices, checked_seed, robot_index
 from household.compiled.arrays import Floats, Singles
-from household.errors import HouseholdError
+from household.errors import HouseholdError, shown
 from household.feedback import Cause, Feedback
 from household.observation.encodings import ENCODINGS, Features
 from household.observation.notices import Notifier
@@ -364,13 +364,26 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self.simulation.people.opinions(self._robot(agent))
 
     def describe(self, observation: Observation) -> str:
-        """What an observation of any of the robots says, in words, line by line."""
+        """What an observation of any of the robots says, in words, line by line.
+
+        Raises:
+            HouseholdError: If it is no observation of one robot.
+        """
         people = self.scenario.person_names
-        if isinstance(observation, Mapping):
+        if isinstance(observation, Mapping) and "activities" in observation:
             return situation_in_words(observation, people)
+        shape = self._features.space.shape
+        if np.shape(observation) != shape:
+            raise HouseholdError(
+                f"observation: {shown(observation)}; allowed: what one robot observed, "
+                f"an array of shape {shape} or the parts of a situation"
+            )
         return features_in_words(
-            observation, self._features.layout, people, self.behaviors
+            np.asarray(observation), self._features.layout, people, self.behaviors
         )
+
+    def __str__(self) -> str:  # PettingZoo's is the name of all households.
+        return repr(self)
 
     def __repr__(self) -> str:
         scenario = self.scenario
