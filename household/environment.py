@@ -18,6 +18,7 @@ from household.observation.encodings import ENCODINGS, Features
 from household.observation.notices import Notifier
 from household.observation.words import features_in_words, situation_in_words
 from household.people.people import MakeMinds
+from household.perception.approach import faces
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.robots.actions import Actions
@@ -338,6 +339,20 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         n = len(self.simulation.people.everyone)
         attends = self.simulation.senses.relations.attends
         return True in attends[:n, n + self._robot(agent)].tolist()
+
+    def approached(self, agent: str) -> bool:
+        """Whether any person is seen walking towards a robot.
+
+        What anybody could see who watched them walk; not what they have in mind.
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
+        n, robot = len(self.simulation.people.everyone), self._robot(agent)
+        crowd = self.simulation.crowd
+        way = crowd.position[n + robot] - crowd.position[:n]
+        return bool((crowd.walking[:n] & faces(crowd.heading[:n], way)).any())
 
     def appropriateness(self, agent: str) -> Floats:
         """What the people present would think of each behavior now.

@@ -55,6 +55,7 @@ from learners.tabular.rates import (
     SocialRate,
     SynchronousRate,
 )
+from learners.tabular.silence import SilentSteps
 
 COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
     "rate": {
@@ -103,6 +104,12 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "epsilon_greedy": EpsilonGreedy,
         "upper_confidence": UpperConfidence,
         "thompson": Thompson,
+    },
+    "silent_steps": {
+        "together": SilentSteps,
+        "apart": partial(SilentSteps, apart=True),
+        "held": partial(SilentSteps, held=True),
+        "apart_held": partial(SilentSteps, apart=True, held=True),
     },
 }
 """Setting of a learner -> name -> what makes such a component."""

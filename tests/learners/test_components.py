@@ -76,6 +76,7 @@ def test_a_components_name_makes_one_of_its_type(rng):
         "pooling": "none",
         "analogy": "adaptive",
         "exploration": "softmax",
+        "silent_steps": "together",
     }
     with pytest.raises(UnknownNameError, match="no rate is made as str"):
         name_of("rate", "social")
