@@ -82,7 +82,12 @@ def robots_of(team: Team) -> Robots:
 
 
 def kept(team: Team) -> str:
-    """Returns all that some learners are as a text."""
+    """Returns all that some learners are as a text; their history is forgotten.
+
+    That is what the next episode would begin with, and it is most of the text.
+    """
+    for learner in team.members.values():
+        learner.start_episode()
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "team.json"
         team.save(file)

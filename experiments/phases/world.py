@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
@@ -131,6 +132,7 @@ def household(residence: Residence, steps: int) -> Household:
     return household_v0.parallel_env(scenario(residence), max_cycles=steps)
 
 
+@lru_cache(maxsize=64)
 def scenario(residence: Residence) -> Scenario:
     """Returns a household as a scenario."""
     world = residence.world

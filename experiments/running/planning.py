@@ -27,7 +27,7 @@ class Plan:
     """Trials that were timed."""
 
     seconds: float
-    """Mean time of a trial on one core of this machine [s]; 0 if nothing is left."""
+    """Mean processor time of a trial [s]; 0 if nothing is left."""
 
     def hours(self, cores: int) -> float:
         """Returns how long the rest takes on so many cores like those here [h]."""
@@ -36,6 +36,8 @@ class Plan:
 
 def plan(trials: int, jobs: Sequence[Job], sample: int = SAMPLE) -> Plan:
     """Times some trials in this process, and throws their results away.
+
+    What counts is processor time, so that others on the machine do not matter.
 
     The first one is run twice, and counts only the second time: what is compiled or
     read at first use is not a trial's price.
@@ -52,9 +54,9 @@ def plan(trials: int, jobs: Sequence[Job], sample: int = SAMPLE) -> Plan:
         job.run(job.trial)
     times = []
     for job in chosen:
-        begun = time.perf_counter()
+        begun = time.process_time()
         job.run(job.trial)
-        times.append(time.perf_counter() - begun)
+        times.append(time.process_time() - begun)
     return Plan(
         trials=trials,
         stored=trials - len(jobs),
