@@ -16,6 +16,13 @@ class Replay:
     path: Annotated[Positional[Path], arg(metavar="FILE.rrd|DIR")]
     """A recording, or a directory; asks which one if there are several below it."""
 
+    at: Annotated[int | None, arg(metavar="DECISION")] = None
+    """Open it at this moment, or draw this one."""
+
+    find: Annotated[str | None, arg(metavar="WORDS")] = None
+    """List the events that say this, such as "tap by father" or "wrong credit", and
+    open the replay at the first of them (with --at: at the first one since then)."""
+
     web: bool = False
     """Show it in a browser on this machine, where there is no screen for the viewer."""
 
@@ -23,7 +30,7 @@ class Replay:
     """Make a film instead of opening the viewer."""
 
     png: Annotated[Path | None, arg(metavar="FILE.png")] = None
-    """Draw the last moment instead of opening the viewer."""
+    """Draw a moment, without --at the last one, instead of opening the viewer."""
 
     def run(self) -> None:
         """Makes what was asked for, or shows the replay until the viewer is closed."""
@@ -32,12 +39,26 @@ class Replay:
         _check_file("--video", self.video, ".mp4")
         _check_file("--png", self.png, ".png")
         path = choose(self.path)
+        at = self.at if self.find is None else _found(path, self.find, self.at)
         if self.video:
             _film(path, self.video)
         if self.png:
-            write_png(path, self.png)
+            write_png(path, self.png, at)
         if not (self.video or self.png):
-            view(path, web=self.web)
+            view(path, web=self.web, at=at)
+
+
+def _found(path: Path, words: str, since: int | None) -> int:
+    """Lists the events that say some words; returns when the first one is."""
+    from household.replay.finding import find
+    from household.replay.probing import check_readable
+
+    check_readable(path)
+    events = find(path, words)
+    for event in events:
+        print(f"{event.decision:7d}  {event.kind:8}  {event.text}")
+    later = [event.decision for event in events if event.decision >= (since or 0)]
+    return later[0] if later else events[-1].decision
 
 
 def _check_file(option: str, file: Path | None, suffix: str) -> None:

@@ -7,8 +7,9 @@ from urllib.parse import quote
 from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
 from household.replay.probing import check_readable
-from household.replay.process import LOOPBACK, address, free_ports, start_viewer
+from household.replay.process import LOOPBACK, free_ports, start_viewer
 from household.replay.reading import Replay, read_replay
+from household.replay.serving import moment_of, served
 from household.simulation.snapshot import Snapshot
 from household.view.painter import SHOWN, SIZE, Painter, load_pygame
 
@@ -63,12 +64,17 @@ def choose(
 
 
 def view(
-    path: Path | str, *, web: bool = False, show: Callable[[str], None] = print
+    path: Path | str,
+    *,
+    web: bool = False,
+    at: int | None = None,
+    show: Callable[[str], None] = print,
 ) -> None:
     """Opens a replay in the viewer and waits until that is closed.
 
     Args:
         path: The file.
+        at: The decision to open it at; None: its beginning.
         web: Serves the viewer to a browser on this machine; Ctrl-C ends it.
         show: Shows a line of text, such as the page to open.
 
@@ -77,17 +83,19 @@ def view(
     """
     check_readable(path)
     page, data = free_ports(2)
-    arguments = [f"--port={data}", str(path)]
-    if web:
-        arguments += ["--serve-web", f"--web-viewer-port={page}"]
-        source = quote(address(data), safe="")
-        show(f"Open http://{LOOPBACK}:{page}/?url={source} (Ctrl-C ends it)")
-    with start_viewer(*arguments) as process:
-        try:
-            status = process.wait()
-        except KeyboardInterrupt:
-            process.terminate()
-            return
+    with served(path) as replay:
+        link = replay if at is None else replay + moment_of(at)
+        arguments = [f"--port={data}", link]
+        if web:
+            arguments[1:] = ["--serve-web", f"--web-viewer-port={page}"]
+            source = quote(link, safe="")
+            show(f"Open http://{LOOPBACK}:{page}/?url={source} (Ctrl-C ends it)")
+        with start_viewer(*arguments) as process:
+            try:
+                status = process.wait()
+            except KeyboardInterrupt:
+                process.terminate()
+                return
     if status:
         raise HouseholdError(
             f"the Rerun viewer ended with status {status}; on a machine without a "
