@@ -43,8 +43,8 @@ def served(path: Path | str) -> Iterator[str]:
     replay = read_replay(path)
     views = blueprint(replay.scenario, bool(replay.values), live=False)
     (port,) = free_ports(1)
-    # In a process of its own, as it would wait for browsers to be closed; it begins with
-    # an empty folder, since it takes no single file.
+    # In a process of its own, as it would wait for browsers to be closed; it begins in
+    # an empty folder, as it takes no single file.
     with (
         tempfile.TemporaryDirectory() as folder,
         start_server(Path(folder), port) as server,
