@@ -20,14 +20,18 @@ class Replay:
     other: Annotated[Positional[Path | None], arg(metavar="FILE.rrd|DIR")] = None
     """Another recording of the same home and seed, to show beside the first one."""
 
+    at: Annotated[int | None, arg(metavar="DECISION")] = None
+    """Open it at this moment, or draw this one."""
+
+    find: Annotated[str | None, arg(metavar="WORDS")] = None
+    """List the events that say this, such as "tap by father" or "wrong credit", and
+    open the replay at the first of them (with --at: at the first one since then)."""
+
     web: bool = False
     """Show it in a browser on this machine, where there is no screen for the viewer."""
 
     picture: Annotated[Path | None, arg(metavar="FILE.svg|.pdf|.png")] = None
     """Draw a moment instead of opening the viewer."""
-
-    at: Annotated[float | None, arg(metavar="SECONDS")] = None
-    """Which moment to draw; the last unless said otherwise."""
 
     video: Annotated[Path | None, arg(metavar="FILE.mp4|.gif")] = None
     """Make a film instead of opening the viewer."""
@@ -50,14 +54,28 @@ class Replay:
         size = None if self.size is None else _size(self.size)
         path = choose(self.path)
         if self.other is not None:
-            view_two(path, choose(self.other), web=self.web)
+            view_two(path, choose(self.other), web=self.web, at=self.at)
             return
+        at = self.at if self.find is None else _found(path, self.find, self.at)
         if self.video:
             _film(path, self.video, size, self.speed)
         if self.picture:
-            write_picture(path, self.picture, self.at, size or SIZE)
+            write_picture(path, self.picture, at, size or SIZE)
         if not (self.video or self.picture):
-            view(path, web=self.web)
+            view(path, web=self.web, at=at)
+
+
+def _found(path: Path, words: str, since: int | None) -> int:
+    """Lists the events that say some words; returns when the first one is."""
+    from household.replay.finding import find
+    from household.replay.probing import check_readable
+
+    check_readable(path)
+    events = find(path, words)
+    for event in events:
+        print(f"{event.decision:7d}  {event.kind:8}  {event.text}")
+    later = [event.decision for event in events if event.decision >= (since or 0)]
+    return later[0] if later else events[-1].decision
 
 
 def _check_file(option: str, file: Path | None, endings: tuple[str, ...]) -> None:

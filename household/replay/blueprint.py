@@ -67,8 +67,7 @@ def _above(scenario: Scenario, learns: bool, few: bool) -> Any:  # noqa: ANN401 
     if few:
         shares = [5.6, *(3.1 for _ in whys)]
         return rrb.Horizontal(plan, *whys, column_shares=shares)
-    right = rrb.Vertical(rrb.Tabs(*whys), views.situations(), row_shares=[3, 1])
-    return rrb.Horizontal(plan, right, column_shares=[5, 3])
+    return rrb.Horizontal(plan, rrb.Tabs(*whys), column_shares=[5, 3])
 
 
 def _below(scenario: Scenario, learns: bool) -> Any:  # noqa: ANN401

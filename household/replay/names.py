@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from household.compiled.arrays import Floats, Integers
-from household.replay.columns import texts, vectors
+from household.replay.columns import strips, texts, vectors
 from household.replay.rows import changes
 from household.replay.sheets import legend_height
 from household.replay.stream import Stream
@@ -63,9 +63,12 @@ def send_names(
     centers = place_labels(
         moments.position[where], _radii(scenario), sizes, _bounds(scenario)
     )
+    times = (moments.decision[where], moments.time[where])
+    leaders = np.stack([moments.position[where], centers], axis=2)
+    lines = strips(rr.LineStrips2D.descriptor_strips(), leaders)
+    stream.send("world/leaders", times, [lines])
     centers[..., 1] += sizes[..., 1] / 2
     points = rr.Points2D.descriptor_positions()
-    times = (moments.decision[where], moments.time[where])
     for group, who in (("people", slice(0, n)), ("robots", slice(n, None))):
         stream.send(f"world/{group}/names", times, [vectors(points, centers[:, who])])
     _send_texts(stream, scenario, moments, told, felt)

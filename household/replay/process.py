@@ -30,13 +30,14 @@ def open_viewer() -> str:
     Raises:
         HouseholdError: If no viewer opens, as on a machine without a screen.
     """
-    if not _listens(PORT):
+    if not listens(PORT):
         process = start_viewer(f"--port={PORT}", detached=True, quiet=True)
         _wait_for(process)
     return address(PORT)
 
 
-def _listens(port: int) -> bool:
+def listens(port: int) -> bool:
+    """Whether something on this machine accepts connections at a port."""
     with socket.socket() as probe:
         return probe.connect_ex((LOOPBACK, port)) == 0
 
@@ -45,11 +46,11 @@ def _wait_for(process: "subprocess.Popen[bytes]") -> None:
     """Waits until a viewer accepts recordings; one without a screen ends at once."""
     end = time.monotonic() + OPENS_WITHIN
     while process.poll() is None and time.monotonic() < end:
-        if _listens(PORT):
+        if listens(PORT):
             time.sleep(SETTLES)  # It listens before it looks for a screen.
             break
         time.sleep(0.1)
-    if process.poll() is not None or not _listens(PORT):
+    if process.poll() is not None or not listens(PORT):
         process.terminate()
         raise HouseholdError(
             "the Rerun viewer did not open; on a machine without a screen record "
@@ -67,19 +68,41 @@ def start_viewer(
         detached: Whether the viewer outlives this process.
         quiet: Whether to hide the viewer's messages.
     """
-    import rerun_cli
-
-    # Not the script of that name, since ending it would leave the viewer running.
-    binary = Path(rerun_cli.__file__).with_name("rerun")
-    if not binary.exists():
-        binary = binary.with_suffix(".exe")
-    command = [str(binary), "--bind", LOOPBACK, "--hide-welcome-screen", *arguments]
+    command = [_binary(), "--bind", LOOPBACK, "--hide-welcome-screen", *arguments]
     return subprocess.Popen(
         command,
         env={"RUST_LOG": "warn"} | os.environ | {"RERUN_APP_ONLY": "true"},
         start_new_session=detached,
         stderr=subprocess.DEVNULL if quiet else None,
     )
+
+
+def start_server(folder: Path, port: int) -> "subprocess.Popen[bytes]":
+    """Starts a server of recordings, which viewers fetch piece by piece.
+
+    Args:
+        folder: Of the recordings.
+        port: Where it listens, on this machine only.
+    """
+    where = ["--host", LOOPBACK, "--port", str(port)]
+    command = [_binary(), "server", *where, "--dataset", f"replay={folder}"]
+    return subprocess.Popen(
+        command,
+        env={"RUST_LOG": "warn"} | os.environ | {"RERUN_APP_ONLY": "true"},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+
+
+def _binary() -> str:
+    """Rerun's program.
+
+    It is not the script of that name, since ending that would leave the viewer running.
+    """
+    import rerun_cli
+
+    binary = Path(rerun_cli.__file__).with_name("rerun")
+    return str(binary if binary.exists() else binary.with_suffix(".exe"))
 
 
 def free_ports(count: int) -> list[int]:

@@ -30,7 +30,7 @@ Track = Callable[[Replay], Iterable[Snapshot]]
 def write_picture(
     path: Path | str,
     out: Path | str,
-    at: float | None = None,
+    at: int | None = None,
     size: tuple[int, int] = figure.SIZE,
 ) -> None:
     """Draws a moment of a replay.
@@ -38,7 +38,7 @@ def write_picture(
     Args:
         path: The replay.
         out: The picture to write; its ending, one of `PICTURES`, says in which format.
-        at: Which moment [s]; None: the last.
+        at: The decision after which the moment is; None: the last.
         size: Width and height [pixels].
 
     Raises:
@@ -46,32 +46,15 @@ def write_picture(
     """
     check_readable(path)
     replay = read_replay(path)
-    index = moment_at(replay, at, path)
+    index = len(replay) - 1 if at is None else at
+    if not 0 <= index < len(replay):
+        raise HouseholdError(
+            f"{shown_path(path)}: no decision {index}; allowed: 0 to {len(replay) - 1}"
+        )
     # Recent touches are still seen in the picture.
     before = round(SHOWN / replay.scenario.decision_period)
     shown = [replay.snapshot(i) for i in range(max(0, index - before), index + 1)]
     figure.save(replay.scenario, shown, out, size)
-
-
-def moment_at(replay: Replay, at: float | None, path: Path | str) -> int:
-    """Index of the moment at a time, or of the last one before it.
-
-    Args:
-        replay: The episode.
-        at: When [s]; None: at the end.
-        path: Its file, to name in errors.
-
-    Raises:
-        HouseholdError: If the episode does not last that long.
-    """
-    last = float(replay.moments.time[-1])
-    if at is None:
-        return len(replay) - 1
-    if not 0.0 <= at <= last:
-        raise HouseholdError(
-            f"{shown_path(path)}: nothing at {at:g} s; it lasts from 0 to {last:g} s"
-        )
-    return int(replay.moments.time.searchsorted(at, side="right")) - 1
 
 
 def write_film(

@@ -107,6 +107,10 @@ def _bodies(stream: Stream, scenario: Scenario) -> None:
         radii=0.02, colors=packed([ink_on(c) for c in who[:n]]), draw_order=32.0
     )
     stream.send_static("world/people/signs", signs)
+    leaders = rr.LineStrips2D.from_fields(
+        radii=0.012, colors=packed([INK], 150), draw_order=25.0
+    )
+    stream.send_static("world/leaders", leaders)
     touches = rr.Points2D.from_fields(radii=0.09, draw_order=60.0)
     stream.send_static("world/touches", touches)
     for entity, color, radius in (("true", TRUE, 0.05), ("believed", BELIEVED, 0.02)):

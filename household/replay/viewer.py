@@ -8,7 +8,8 @@ from urllib.parse import quote
 from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
 from household.replay.probing import check_readable
-from household.replay.process import LOOPBACK, address, free_ports, start_viewer
+from household.replay.process import LOOPBACK, free_ports, start_viewer
+from household.replay.serving import moment_of, served
 
 
 def recordings(path: Path | str) -> tuple[Path, ...]:
@@ -62,6 +63,7 @@ def view_two(
     other: Path | str,
     *,
     web: bool = False,
+    at: int | None = None,
     show: Callable[[str], None] = print,
 ) -> None:
     """Opens two replays of the same home side by side; says where they part.
@@ -70,6 +72,7 @@ def view_two(
         one: The file that is shown on the left.
         other: The one on the right.
         web: As for `view`.
+        at: Decision at which to open them; None: where they part.
         show: Shows a line of text.
 
     Raises:
@@ -84,16 +87,22 @@ def view_two(
             show("They are equal, moment by moment, as long as both last.")
         else:
             show(f"{str(parted).capitalize()} (decision {parted.decision}).")
-        _open(both, web=web, show=show)
+            at = parted.decision if at is None else at
+        _open(both, web=web, at=at, show=show)
 
 
 def view(
-    path: Path | str, *, web: bool = False, show: Callable[[str], None] = print
+    path: Path | str,
+    *,
+    web: bool = False,
+    at: int | None = None,
+    show: Callable[[str], None] = print,
 ) -> None:
     """Opens a replay in the viewer and waits until that is closed.
 
     Args:
         path: The file.
+        at: The decision to open it at; None: its beginning.
         web: Serves the viewer to a browser on this machine; Ctrl-C ends it.
         show: Shows a line of text, such as the page to open.
 
@@ -101,22 +110,26 @@ def view(
         HouseholdError: If the file is no replay or the viewer does not run.
     """
     check_readable(path)
-    _open(Path(path), web=web, show=show)
+    _open(Path(path), web=web, at=at, show=show)
 
 
-def _open(path: Path, *, web: bool, show: Callable[[str], None]) -> None:
+def _open(
+    path: Path, *, web: bool, at: int | None, show: Callable[[str], None]
+) -> None:
     page, data = free_ports(2)
-    arguments = [f"--port={data}", str(path)]
-    if web:
-        arguments += ["--serve-web", f"--web-viewer-port={page}"]
-        source = quote(address(data), safe="")
-        show(f"Open http://{LOOPBACK}:{page}/?url={source} (Ctrl-C ends it)")
-    with start_viewer(*arguments) as process:
-        try:
-            status = process.wait()
-        except KeyboardInterrupt:
-            process.terminate()
-            return
+    with served(path) as replay:
+        link = replay if at is None else replay + moment_of(at)
+        arguments = [f"--port={data}", link]
+        if web:
+            arguments[1:] = ["--serve-web", f"--web-viewer-port={page}"]
+            source = quote(link, safe="")
+            show(f"Open http://{LOOPBACK}:{page}/?url={source} (Ctrl-C ends it)")
+        with start_viewer(*arguments) as process:
+            try:
+                status = process.wait()
+            except KeyboardInterrupt:
+                process.terminate()
+                return
     if status:
         raise HouseholdError(
             f"the Rerun viewer ended with status {status}; on a machine without a "

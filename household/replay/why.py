@@ -61,7 +61,7 @@ def _table(choice: "Choice", behaviors: Sequence[str], best: int) -> str:
     span = max(float(abs(choice.values).max()), 0.25)
     # The first line is short, since the viewer has a button at its end.
     lines = [
-        f"{CHOSEN} does   {REFERENCE} best for the people   n: touches",
+        f"{CHOSEN} does   {REFERENCE} best for the people",
         f"{'':{width + 3 + 2 * HALF}} value  prob  n upd",
     ]
     for k, name in enumerate(behaviors):

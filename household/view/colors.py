@@ -34,35 +34,39 @@ BEHAVIOR_COLORS = MappingProxyType(
         "say_hello": "#9a4d80",
         "follow": "#56b4e9",
         "vacuum": "#e69f00",
-        "fetch": "#8c564b",
-        "ask": "#b3a125",
-        "retreat": "#7f7f7f",
+        "fetch": "#6b3410",
+        "ask": "#f0e442",
+        "retreat": "#a6a6a6",
     }
 )
 """Of the shipped behaviors by name, in every scenario, replay, picture and figure;
 after Okabe and Ito."""
 
-OTHER_BEHAVIORS = ("#8da0cb", "#66a61e", "#e78ac3", "#1b1f24", "#a6761d")
+OTHER_BEHAVIORS = ("#8da0cb", "#66a61e", "#e78ac3", "#4d4d4d", "#a6761d")
 """Of users' own behaviors in the order of their indices, repeated if there are more."""
 
 PEOPLE = (
-    "#332288",
-    "#cc6677",
-    "#117733",
-    "#ee7733",
-    "#4477aa",
-    "#882255",
-    "#44aa99",
-    "#999933",
-    "#aa4499",
-    "#88ccee",
-    "#ddcc77",
-    "#555555",
+    "#0f6370",
+    "#e28694",
+    "#7b37b2",
+    "#789853",
+    "#eb710f",
+    "#55cfeb",
+    "#6b5642",
+    "#9de468",
+    "#6327eb",
+    "#10ead3",
+    "#ebcd9f",
+    "#5c99dc",
 )
-"""Of people in their order, repeated if there are more; most are Tol's muted ones."""
+"""Of people in their order, repeated if there are more."""
 
-ROBOTS = ("#1a85ff", "#d41159", "#ffc20a", "#40b0a6", "#5d3a9b", "#994f00")
-"""Of robots in their order, repeated if there are more."""
+ROBOTS = ("#1a85ff", "#e81099", "#e9d30f", "#90440f")
+"""Of robots in their order, repeated if there are more.
+
+Those of people and of robots were moved apart, as the color-blind see them as well, and
+kept neither too dark for a black background nor too light for a white one.
+"""
 
 INK = "#1b1f24"
 """Of text: on white paper, and on the labels of the viewer, dark and light."""

@@ -13,15 +13,20 @@ GAP = 0.03
 RINGS = 4
 """How many lines away from its body a name may be."""
 
+ASIDE = 0.6
+"""How much further away a name is that is shifted by half its width, in lines."""
+
 PLACES = np.array(
-    [[0.0, -1.0], [0.0, 1.0], [1.0, 0.0], [-1.0, 0.0]]
-    + [
-        [aside, sign * line]
-        for line in range(1, RINGS + 1)
-        for sign in (-1.0, 1.0)
-        for aside in (0.0, 1.0, -1.0, 2.0, -2.0)
-        if aside or line > 1
-    ]
+    sorted(
+        [
+            (aside, sign * line)
+            for line in range(1, RINGS + 1)
+            for sign in (-1.0, 1.0)
+            for aside in (0.0, 1.0, -1.0, 2.0, -2.0)
+        ]
+        + [(1.0, 0.0), (-1.0, 0.0)],
+        key=lambda place: (abs(place[1]) or 0.5) + ASIDE * abs(place[0]),
+    )
 )
 """Where a name may be, best first: 1 is beside the body, 2 a line or half a name
 further away."""

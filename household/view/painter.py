@@ -52,6 +52,9 @@ PAD = (6, 2)
 
 Point = tuple[float, float]
 
+Label = tuple[str, Point, float, tuple[int, int, int]]
+"""A text, of what [m], how large that is [m], and the text's color."""
+
 
 def load_pygame() -> ModuleType:
     """Imports pygame.
@@ -104,9 +107,13 @@ class Painter:
         surface.blit(self._home, (self._margin, 0))
         self.remember(snapshot)
         self._draw_gazes(surface, snapshot)
+        labels = self.words(snapshot)
+        centers, _ = self.place(labels)
+        self._draw_leaders(surface, labels, centers)
         self._draw_bodies(surface, snapshot)
         self._draw_touches(surface)
-        self._draw_words(surface, snapshot)
+        for (text, _, _, color), center in zip(labels, centers, strict=True):
+            self._write(surface, text, self._at(center), color)
         caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
         text = f"{caption}    decision {snapshot.decision}"
         at = 8 * self._unit, self._size[1] - self._caption + 4 * self._unit
@@ -164,26 +171,31 @@ class Painter:
             color = rgb(self._behaviors[doing] if doing >= 0 else IDLE)
             self._draw_body(surface, snapshot, n + j, color)
 
-    def _draw_words(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
-        """Names, and the kinds of touches, where they cover least."""
-        labels = self.words(snapshot)
+    def _draw_leaders(
+        self, surface: "pygame.Surface", labels: "list[Label]", centers: Floats
+    ) -> None:
+        """Lines from what is named to the names."""
+        for (_, spot, _, _), center in zip(labels, centers, strict=True):
+            ends = self._at(spot), self._at(center)
+            self._pygame.draw.aaline(surface, BODY, *ends)
+
+    def place(self, labels: "list[Label]") -> tuple[Floats, Floats]:
+        """Centers of labels where they cover least, and sizes, each (n, 2) [m]."""
         scale, raster = self._raster.scale, self._raster
-        size = np.add([self._font.size(text) for text, _, _, _ in labels], PAD) / scale
+        texts = [self._font.size(text) for text, _, _, _ in labels]
+        sizes = np.add(texts, PAD) / scale
         left, top = raster.left - self._margin / scale, raster.top
         width, height = self._size[0], self._size[1] - self._caption
         right, bottom = left + width / scale, top - height / scale
         centers = place_labels(
             np.array([[spot for _, spot, _, _ in labels]]),
             np.array([radius for _, _, radius, _ in labels]),
-            size[None],
+            sizes[None],
             np.array([left, bottom, right, top]),
-        )[0]
-        for (text, _, _, color), center in zip(labels, centers, strict=True):
-            self._write(surface, text, self._at(center), color)
+        )
+        return centers[0], sizes
 
-    def words(
-        self, snapshot: Snapshot
-    ) -> list[tuple[str, Point, float, tuple[int, int, int]]]:
+    def words(self, snapshot: Snapshot) -> "list[Label]":
         """What is written: the text, of what, how large that is [m], and its color."""
         scenario, n = self._scenario, len(self._scenario.people)
         texts = [*scenario.person_names, *self._robot_texts(snapshot)]

@@ -83,3 +83,29 @@ def test_a_second_episode_gets_a_file_of_its_own(tmp_path):
     for _ in range(2):
         run_episode(env, {"robot_0": LearningRobot(learner)}, observers=[observer])
     assert [len(read_replay(tmp_path / f"home{k}.rrd")) for k in ("", "_1")] == [6, 6]
+
+
+def test_the_file_holds_each_choice_with_what_the_learner_knew(lived):
+    _, replay = lived("designated")
+    choices, moments = replay.choices, replay.moments
+    chosen = np.flatnonzero(choices["chosen"])
+    assert len(chosen) > 10
+    for row in chosen:
+        decision, robot = choices["decision"][row], choices["robot"][row]
+        # A choice is made before the step that carries it out.
+        assert moments.behavior[decision + 1, robot] == choices["behavior"][row]
+    assert choices["probabilities"].sum(axis=1) == pytest.approx(1.0)
+    name = replay.scenario.robot_names[0]
+    decisions, values = replay.values[name]
+    own = choices["robot"] == 0
+    assert choices["decision"][own].tolist() == decisions.tolist()
+    assert (choices["values"][own] == values).all()
+    assert np.isfinite(choices["reference"]).all()
+
+
+def test_touches_behind_values_add_up_as_they_come(lived):
+    _, replay = lived("designated")
+    touches = replay.choices["touches"]
+    assert touches.max() >= 1
+    assert (touches == np.round(touches)).all()
+    assert touches.max() <= len(replay.credits["weight"])

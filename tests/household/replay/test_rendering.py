@@ -9,8 +9,7 @@ from matplotlib.image import imread
 
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes
-from household.replay.reading import read_replay
-from household.replay.rendering import moment_at, write_film, write_picture
+from household.replay.rendering import write_film, write_picture
 from household.simulation.snapshot import snapshot
 from household.view import figure
 
@@ -36,21 +35,15 @@ def recorded(make_busy_home, tmp_path):
 def test_a_picture_of_a_replay_is_the_picture_of_the_episode(recorded, tmp_path):
     scenario, moments, path = recorded
     files = tmp_path / "replay.png", tmp_path / "episode.png"
-    for at, shown in ((None, moments[-4:]), (7.0, moments[4:8])):
+    for at, shown in ((None, moments[-4:]), (7, moments[4:8])):
         write_picture(path, files[0], at, (640, 480))
         figure.save(scenario, shown, files[1], (640, 480))
         assert (imread(files[0]) == imread(files[1])).all()
 
 
-def test_a_moment_is_the_last_one_at_or_before_a_time(recorded):
-    replay = read_replay(recorded[2])
-    found = [moment_at(replay, at, "x") for at in (None, 0.0, 0.9, 1.0, 11.5, 12.0)]
-    assert found == [12, 0, 0, 1, 11, 12]
-
-
-def test_a_time_that_is_not_in_the_replay_is_an_error(recorded, tmp_path):
-    with pytest.raises(HouseholdError, match="nothing at 13 s; it lasts from 0 to 12"):
-        write_picture(recorded[2], tmp_path / "none.png", at=13.0)
+def test_a_moment_that_is_not_in_the_replay_is_an_error(recorded, tmp_path):
+    with pytest.raises(HouseholdError, match="no decision 13; allowed: 0 to 12"):
+        write_picture(recorded[2], tmp_path / "none.png", at=13)
 
 
 def test_a_film_goes_as_fast_as_it_is_told(recorded, tmp_path):

@@ -10,6 +10,7 @@ from household.errors import HouseholdError
 from household.replay import RecordEpisodes
 from household.replay.process import address, free_ports, start_viewer
 from household.replay.reading import read_replay
+from household.replay.serving import moment_of, served
 from household.replay.viewer import choose, recordings, view
 
 DRIVERS = tuple(Path("/usr/share/vulkan/icd.d").glob("lvp_icd*.json"))
@@ -75,6 +76,10 @@ def play(env, decisions):
         env.step({a: int(rng.integers(len(env.behaviors))) for a in env.agents})
 
 
+def moment(state):
+    return state.recordings[0].current_time
+
+
 def complaints(state):
     return [(v.name, r.severity, r.summary) for v in state.views for r in v.reports]
 
@@ -93,6 +98,21 @@ def test_the_viewer_shows_every_view_without_a_complaint(viewer, busy_home, tmp_
     state = client.get_state()
     assert {view.name for view in state.views} == VIEWS
     assert complaints(state) == []
+
+
+@needs_driver
+def test_a_link_opens_a_replay_at_its_moment(viewer, busy_home, tmp_path):
+    client, _, _ = viewer
+    env = RecordEpisodes(busy_home, tmp_path)
+    play(env, 40)
+    env.close()
+    with served(tmp_path / "episode_00000.rrd") as replay:
+        client.open(replay + moment_of(30))
+        until(lambda: {v.name for v in client.get_state().views} == VIEWS)
+        until(lambda: moment(client.get_state()) == 30)
+        client.set_time("decision", sequence=11, play_state="paused")
+        until(lambda: moment(client.get_state()) == 11)
+        assert complaints(client.get_state()) == []
 
 
 @needs_driver

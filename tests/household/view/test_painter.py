@@ -122,6 +122,25 @@ def test_robots_wear_their_own_color_inside_that_of_their_behavior(busy_home):
         assert close(frame[y, x], doing[behavior])
 
 
+def test_no_name_covers_another_in_pictures_of_a_party(random_actions):
+    env = household_v0.parallel_env("party", max_cycles=400)
+    env.reset(seed=4)
+    painter = Painter(env.scenario)
+    told = 0
+    for decision, actions in zip(range(400), random_actions(env, 0), strict=False):
+        now = snapshot(env.simulation)
+        painter.remember(now)
+        if decision % 8 == 0:
+            labels = painter.words(now)
+            told += len(labels) - 15
+            centers, sizes = painter.place(labels)
+            room = (sizes[:, None] + sizes) / 2 - np.abs(centers[:, None] - centers)
+            covered = (room > 1e-9).all(axis=-1)
+            assert covered.sum() == len(labels)  # each covers itself
+        env.step(actions)
+    assert told > 0  # touches among them
+
+
 def test_without_a_render_mode_nothing_is_drawn():
     env = household_v0.parallel_env()
     env.reset()
