@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, get_type_hints
 from sphinx.util.inspect import stringify_signature
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from sphinx.application import Sphinx
 
 BEFORE_NAPOLEON = 400
@@ -36,10 +38,10 @@ def without_bounds(
     _app: object,
     _what: str,
     _name: str,
-    obj: Any,
+    obj: Callable[..., object],
     _given: object,
     shown: str,
-    *_: object,
+    *_others: object,
 ) -> tuple[str, str] | None:
     """Signatures say what a value is; its bounds and shape are in the docstring."""
     if "Annotated[" not in (shown or ""):
