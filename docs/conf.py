@@ -22,6 +22,7 @@ myst_enable_extensions = ["dollarmath", "fieldlist"]
 myst_heading_anchors = 4  # headings can be linked to, named as on GitHub
 default_role = "code"  # docstrings mark code as Markdown does
 
+autodoc_mock_imports = ["minari", "stable_baselines3", "torch"]  # of extras
 autodoc_default_options = {"members": True, "ignore-module-all": True}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"

@@ -1,11 +1,15 @@
 """Docstrings reach the API reference as they are written."""
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from sphinx.ext.napoleon import Config
 from sphinx.ext.napoleon.docstring import GoogleDocstring
 
-from experiments.docs_tools.site.docstrings import keep_colons, leave_out
+from experiments.docs_tools.site.docstrings import (
+    keep_colons,
+    leave_out,
+    without_bounds,
+)
 
 
 class Pair(NamedTuple):
@@ -26,3 +30,12 @@ def test_a_colon_in_the_docstring_of_an_attribute_is_no_type():
 def test_fields_of_named_tuples_are_left_out_and_nothing_else():
     assert leave_out(None, "attribute", "one", Pair.one, False, None)
     assert leave_out(None, "method", "count", Pair.count, False, None) is None
+
+
+def test_a_signature_shows_types_without_their_bounds():
+    def walk(pace: Annotated[float, "at most 3"] = 1.0) -> Annotated[int, "n"]: ...
+
+    given = (None, "function", "walk", walk, None)
+    assert without_bounds(*given, "(pace: float)", None) is None
+    shown = "(pace: Annotated[float, 'at most 3'] = 1.0)"
+    assert without_bounds(*given, shown, None) == ("(pace: float = 1.0) -> int", "")
