@@ -7,6 +7,7 @@ into the folder `pictures` beside the page.
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -32,7 +33,8 @@ def page(runs: Path, out: Path) -> None:
         if figure.is_file():
             shutil.copyfile(figure, pictures / f"generalization_{name}.png")
             drawn.append(part.name)
-    out.write_text(render("generalization.md.j2", **known, drawn=drawn), "utf-8")
+    text = render("generalization.md.j2", **known, drawn=drawn)
+    out.write_text(re.sub(r"\n{3,}", "\n\n", text), "utf-8")
 
 
 if __name__ == "__main__":

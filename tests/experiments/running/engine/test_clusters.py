@@ -57,6 +57,25 @@ JOINED_BY_ADDRESS = """
 """
 
 
+OF_OUR_OWN = """
+    from distributed import default_client
+    from experiments.running.engine import open_engine
+
+    if __name__ == "__main__":
+        open_engine("dask", 1)
+        print(default_client().scheduler.address.rpartition(":")[0], flush=True)
+"""
+
+OF_OUR_OWN_BY_RAY = """
+    import ray
+    from experiments.running.engine import open_engine
+
+    if __name__ == "__main__":
+        open_engine("ray", 1)
+        print(ray.util.get_node_ip_address(), flush=True)
+"""
+
+
 @pytest.fixture(params=MODULES)
 def cluster(request, tmp_path, monkeypatch):
     """Name of an engine that is installed; its trials leave markers in a folder."""
@@ -87,3 +106,15 @@ def test_trials_run_on_the_workers_of_a_dask_cluster_joined_by_its_address(progr
     pytest.importorskip("distributed")
     out, err = program(JOINED_BY_ADDRESS).communicate(timeout=100)
     assert out == "True 4\n", err
+
+
+def test_a_dask_cluster_of_our_own_has_keys_and_no_public_address(program):
+    pytest.importorskip("distributed")
+    out, err = program(OF_OUR_OWN).communicate(timeout=100)
+    assert out == "tls://127.0.0.1\n", err
+
+
+def test_a_ray_cluster_of_our_own_has_no_public_address(program):
+    pytest.importorskip("ray")
+    out, err = program(OF_OUR_OWN_BY_RAY).communicate(timeout=100)
+    assert "127.0.0.1" in out, err
