@@ -30,6 +30,10 @@ says which trial it is.
 LARGEST, MOST_VALUES = 2**28, 10**8
 """Of a trial [bytes, values in all columns]; those of the paper have a thousandth."""
 
+LARGEST_UNPACKED, MOST_TEXT = 2**30, 2**36
+"""Of a trial's table, and of the texts in lists, if each were as long as all that are
+stored [bytes]."""
+
 _KEY = b"household"
 
 _BLANK = "0" * 64
@@ -114,7 +118,7 @@ def decoded(path: Path, identity: Identity) -> polars.DataFrame:
 
     try:
         content = _checked(path, identity)
-        return pl.DataFrame(parquet.read_table(BufferReader(content)))
+        return pl.DataFrame(_unpacked(parquet.ParquetFile(BufferReader(content))))
     except _Fault as error:
         fault = str(error)
     except (OSError, ValueError, ArrowException, PolarsError) as error:
@@ -151,6 +155,46 @@ def _checked(path: Path, identity: Identity) -> bytes:
     if _values(metadata) > MOST_VALUES:
         raise _Fault(f"holds more than {MOST_VALUES} values")
     return content
+
+
+def _unpacked(file: Any) -> Any:  # noqa: ANN401 - Arrow has no type information
+    """The table of a file, of which texts that come often are stored but once.
+
+    A few bytes can stand for one long text in a million rows. No text is longer than
+    its column, so that as few rows are read at a time as are sure to have room.
+    """
+    from pyarrow import Table
+
+    longest, worst = _texts(file.metadata)
+    if worst <= LARGEST_UNPACKED:
+        return file.read()
+    found, size = [], 0
+    for batch in file.iter_batches(max(1, LARGEST_UNPACKED // longest)):
+        found.append(batch)
+        size += batch.nbytes
+        if size > LARGEST_UNPACKED:
+            raise _Fault(f"holds more than {LARGEST_UNPACKED} bytes when unpacked")
+    return Table.from_batches(found)
+
+
+def _texts(metadata: Any) -> tuple[int, int]:  # noqa: ANN401 - likewise
+    """How long a text can be, and all of them, if all are that long [bytes].
+
+    Raises:
+        _Fault: If one row alone could be too large.
+    """
+    longest, worst = 1, 0
+    for i in range(metadata.num_row_groups):
+        group = metadata.row_group(i)
+        for j in range(group.num_columns):
+            column = group.column(j)
+            if column.physical_type == "BYTE_ARRAY":
+                most = column.total_uncompressed_size * column.num_values
+                if metadata.schema.column(j).max_repetition_level and most > MOST_TEXT:
+                    raise _Fault("holds lists of texts that are too long")
+                longest = max(longest, column.total_uncompressed_size)
+                worst += most
+    return longest, worst
 
 
 def _values(metadata: Any) -> int:  # noqa: ANN401 - Arrow has no type information

@@ -7,6 +7,7 @@ from typing import TypeVar, cast
 from learners.pooling.adaptive import AdaptivePooling
 from learners.pooling.rules import Pooling
 from learners.representation.parts import Representation
+from learners.sums import added
 from learners.tabular.cells import Cell, Population
 from learners.tabular.qtable import QTable
 
@@ -118,7 +119,7 @@ class Memory:
             self._adapt(seen.cells)
         own, pull, mean = zip(*seen.own), zip(*seen.pull), zip(*seen.mean)  # noqa: B905
         return [
-            sum(map(add, o, map(mul, p, m)))
+            added(map(add, o, map(mul, p, m)))
             for o, p, m in zip(own, pull, mean)  # noqa: B905 - strictness takes time
         ]
 
@@ -142,7 +143,7 @@ class Memory:
         common = zip(*[cell.population.variance for cell in cells])  # noqa: B905
         between = self._pooling.between
         found = [
-            between * sum(pull) + sum(map(mul, map(mul, pull, pull), variance))
+            between * added(pull) + added(map(mul, map(mul, pull, pull), variance))
             for pull, variance in zip(pulls, common, strict=True)
         ]
         return [variance**0.5 for variance in found] or self._zeros()
