@@ -4,7 +4,7 @@ SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
-.PHONY: reproduce test clusters oldest lint slow golden clean
+.PHONY: reproduce test docs clusters oldest lint slow golden clean
 
 reproduce: .venv/installed
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
@@ -12,6 +12,12 @@ reproduce: .venv/installed
 # On all cores, up to eight; a file's tests share what they set up, so they stay together.
 test: .venv/developing
 	$(BIN)/pytest --numprocesses logical --maxprocesses 8 --dist loadfile
+
+# The site in build/docs/html, from docs/, docstrings and the code; a warning is an error.
+docs: .venv/documenting
+	$(BIN)/python -m experiments.docs_tools.site build/docs/source
+	$(BIN)/sphinx-build -q -W --keep-going -j auto build/docs/source build/docs/html
+	@echo "build/docs/html/index.html"
 
 # Trials on Dask and on Ray; `make test` leaves Ray out, which is 250 MB.
 clusters: .venv/developing
@@ -54,6 +60,10 @@ lint: .venv/developing
 
 .venv/developing: pyproject.toml | .venv/bin/python
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@ .venv/installed
+
+.venv/documenting: pyproject.toml | .venv/bin/python
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[docs]'
 	touch $@ .venv/installed
 
 clean:

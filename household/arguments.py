@@ -22,6 +22,25 @@ def checked_seed(seed: object) -> int | None:
     return number
 
 
+def checked_count(name: str, number: object, least: int) -> int:
+    """How many there are to be, as Python's own number.
+
+    Args:
+        name: Of the argument.
+        number: What the caller handed over.
+        least: The smallest number that is allowed.
+
+    Raises:
+        HouseholdError: If it is no whole number from ``least`` up.
+    """
+    count = _whole(number)
+    if count < least:
+        raise HouseholdError(
+            f"{name}: {shown(number)}; allowed: whole numbers from {least} up"
+        )
+    return count
+
+
 def check_name(name: object, allowed: Collection[str], what: str) -> None:
     """Refuses a name that is none of those allowed.
 

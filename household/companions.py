@@ -21,15 +21,15 @@ def check_companions(root: Path) -> None:
             spec = find_spec(name)
         except ValueError:  # It is loaded, and does not know where from.
             continue
-        if (
-            spec is None or spec.origin is None
-        ):  # Whoever needs it will find it missing.
+        if spec is None or spec.origin is None:  # Whoever needs it will miss it.
             continue
-        folder = Path(spec.origin).parent
+        file = Path(spec.origin)
+        folder = file.parent
         own = folder.parent == root and any(folder.glob(f"{part}*"))
         if not own:
+            other = folder if file.name == "__init__.py" else file
             raise ImportError(
                 f"household comes with a package {name!r}, but another one is found "
-                f"in its place: {folder}; rename that, take it off the module path, "
+                f"in its place: {other}; rename that, take it off the module path, "
                 "or install household into an environment of its own"
             )

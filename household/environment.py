@@ -12,12 +12,13 @@ from pettingzoo import ParallelEnv
 
 from household.arguments import check_name, checked_choices, checked_seed, robot_index
 from household.compiled.arrays import Floats, Singles
-from household.errors import HouseholdError
+from household.errors import HouseholdError, shown
 from household.feedback import Cause, Feedback
 from household.observation.encodings import ENCODINGS, Features
 from household.observation.notices import Notifier
 from household.observation.words import features_in_words, situation_in_words
 from household.people.people import MakeMinds
+from household.perception.approach import faces
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.robots.actions import Actions
@@ -339,6 +340,20 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         attends = self.simulation.senses.relations.attends
         return True in attends[:n, n + self._robot(agent)].tolist()
 
+    def approached(self, agent: str) -> bool:
+        """Whether any person is seen walking towards a robot.
+
+        What anybody could see who watched them walk; not what they have in mind.
+
+        Raises:
+            HouseholdError: Before the first reset.
+        """
+        self._check_begun()
+        n, robot = len(self.simulation.people.everyone), self._robot(agent)
+        crowd = self.simulation.crowd
+        way = crowd.position[n + robot] - crowd.position[:n]
+        return bool((crowd.walking[:n] & faces(crowd.heading[:n], way)).any())
+
     def appropriateness(self, agent: str) -> Floats:
         """What the people present would think of each behavior now.
 
@@ -364,13 +379,26 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         return self.simulation.people.opinions(self._robot(agent))
 
     def describe(self, observation: Observation) -> str:
-        """What an observation of any of the robots says, in words, line by line."""
+        """What an observation of any of the robots says, in words, line by line.
+
+        Raises:
+            HouseholdError: If it is no observation of one robot.
+        """
         people = self.scenario.person_names
-        if isinstance(observation, Mapping):
+        if isinstance(observation, Mapping) and "activities" in observation:
             return situation_in_words(observation, people)
+        shape = self._features.space.shape
+        if np.shape(observation) != shape:
+            raise HouseholdError(
+                f"observation: {shown(observation)}; allowed: what one robot observed, "
+                f"an array of shape {shape} or the parts of a situation"
+            )
         return features_in_words(
-            observation, self._features.layout, people, self.behaviors
+            np.asarray(observation), self._features.layout, people, self.behaviors
         )
+
+    def __str__(self) -> str:  # PettingZoo's is the name of all households.
+        return repr(self)
 
     def __repr__(self) -> str:
         scenario = self.scenario

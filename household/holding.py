@@ -137,6 +137,8 @@ class Held(BaseParallelWrapper[str, Any, int]):
     def __repr__(self) -> str:
         return f"Held({self.env!r})"
 
+    __str__ = __repr__
+
 
 class HeldTurns(AECEnv[str, Any, int]):
     """A turn-based household in which only agents whose behavior is over get a turn.

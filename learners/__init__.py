@@ -6,11 +6,13 @@ from learners.experience import Experience, Reward
 from learners.learner import Credit, Learner
 from learners.qlearner import QLearner
 from learners.saving import load, saved
+from learners.tabular.base import CreditedLearner
 from learners.team import Team, make_team
 
 __all__ = [
     "CATALOG",
     "Credit",
+    "CreditedLearner",
     "Experience",
     "Learner",
     "LearnerError",

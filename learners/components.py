@@ -1,7 +1,9 @@
 """Components of a learner as plain data, for studies that write down what they compare.
 
-make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
-make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1.2}}))
+Settings are names, or tables with a name::
+
+    make_learner("skip_silence", n, rng, **made({"credit": "designated", "gamma": 0.2}))
+    make_learner("q_social", n, rng, **made({"rate": {"name": "social", "center": 1}}))
 """
 
 import difflib
@@ -42,6 +44,7 @@ from learners.representation import (
     MarkedSituations,
     Named,
     Nameless,
+    NestedViews,
     PersonViews,
     Views,
     ViewSet,
@@ -52,6 +55,7 @@ from learners.tabular.rates import (
     SocialRate,
     SynchronousRate,
 )
+from learners.tabular.silence import SilentSteps
 
 COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
     "rate": {
@@ -77,6 +81,7 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "view_set": ViewSet,
         "views": Views,
         "audible_views": AudibleViews,
+        "nested_views": NestedViews,
         "person_views": PersonViews,
     },
     "pooling": {
@@ -99,6 +104,12 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "epsilon_greedy": EpsilonGreedy,
         "upper_confidence": UpperConfidence,
         "thompson": Thompson,
+    },
+    "silent_steps": {
+        "together": SilentSteps,
+        "apart": partial(SilentSteps, apart=True),
+        "held": partial(SilentSteps, held=True),
+        "apart_held": partial(SilentSteps, apart=True, held=True),
     },
 }
 """Setting of a learner -> name -> what makes such a component."""
@@ -150,9 +161,14 @@ def _component(setting: str, value: object) -> object:
     name = str(own.pop("name", ""))
     make = _known(setting, name)
     try:
-        return make(**own)
+        return make(**{setting: _frozen(value) for setting, value in own.items()})
     except TypeError as error:
         raise ParameterError(f"{setting} {shown(name)}: {error}") from error
+
+
+def _frozen(value: object) -> object:
+    """Lists as tuples: files know no tuples, and components are frozen."""
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
 
 
 def _known(setting: str, name: str) -> Callable[..., object]:

@@ -78,6 +78,7 @@ class Experience:
         rewards: touches felt within the entry, oldest first.
         attended: whether somebody attended to the robot during the entry.
         chosen: False if the behavior just went on while the situation changed.
+        approached: whether somebody was seen on the way to the robot as it ended.
 
     Raises:
         ExperienceError: if a time is not finite, the entry ends before it begins, or
@@ -92,6 +93,7 @@ class Experience:
     rewards: tuple[Reward, ...] = ()
     attended: bool = False
     chosen: bool = True
+    approached: bool = False
 
     def __post_init__(self) -> None:
         _check_time("the beginning of an entry,", self.time)

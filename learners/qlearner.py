@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from learners.analogy.carrying import Analogy
-from learners.errors import ParameterError, check_part, check_range
+from learners.errors import ParameterError, check_part, check_range, shown
 from learners.experience import Experience, Reward
 from learners.learner import Credit
 from learners.representation.situations import Named
@@ -14,6 +14,7 @@ from learners.tabular.base import CreditedLearner
 from learners.tabular.cells import Cell
 from learners.tabular.qtable import QTable
 from learners.tabular.rates import Factors, Rate, SocialRate, at
+from learners.tabular.silence import SilentSteps, Waiting
 
 
 class Target(NamedTuple):
@@ -83,12 +84,17 @@ class QLearner(CreditedLearner):
         rate: the learning rate.
         analogy: where else an update goes; the base class knows no analogs.
         initial: value of a pair never updated. 0: neither polite nor impolite.
+        silent_steps: what is made of silence; by default what the paper makes of it.
     """
 
     gamma: float = field(default=0.1, kw_only=True)
     rate: Rate = field(default_factory=SocialRate, kw_only=True)
     analogy: Analogy = field(default_factory=Analogy, kw_only=True)
     initial: float = field(default=0.0, kw_only=True)
+    silent_steps: SilentSteps = field(
+        default_factory=SilentSteps, kw_only=True, metadata={"later": True}
+    )
+    _waiting: Waiting = field(init=False, default_factory=Waiting, repr=False)
     _updates: list[Update] = field(
         init=False, default_factory=list, repr=False, metadata=DERIVED
     )
@@ -98,6 +104,15 @@ class QLearner(CreditedLearner):
         check_range("gamma", self.gamma, 0.0, 1.0)
         check_part("rate", self.rate, "__call__")
         check_part("analogy", self.analogy, "spread", "between_named_situations")
+        if not isinstance(self.silent_steps, SilentSteps):
+            raise ParameterError(
+                f"silent_steps is {shown(self.silent_steps)}, no SilentSteps"
+            )
+        if self.silent_steps.held and self.credit.shares_error:
+            raise ParameterError(
+                f"{type(self.credit).__name__} shares the newest pair's error, so it "
+                "cannot hold silence back"
+            )
         if self.gamma == 1.0:
             raise ParameterError("gamma is 1, and values would have no bound")
         by_name = isinstance(self.representation, Named)
@@ -116,6 +131,11 @@ class QLearner(CreditedLearner):
             for u in self._updates
             for cell, value in u.aims
         )
+
+    def start_episode(self) -> None:
+        """Forget the history, and silence held back, but nothing learned."""
+        super().start_episode()
+        self._waiting.credits.clear()
 
     def share(self, other: CreditedLearner) -> None:
         """From now on, learn into what another learner of this kind has learned."""
@@ -143,6 +163,8 @@ class QLearner(CreditedLearner):
         return self.analogy.visits(self.memory, state)
 
     def _absorb(self, credits: Sequence[Credit]) -> None:
+        if self.silent_steps.held:
+            credits = self._due(credits)
         self._updates = [
             update for credit in credits for update in self._updates_of(credit)
         ]
@@ -152,10 +174,20 @@ class QLearner(CreditedLearner):
         for update in self._updates:
             self._move(update, 1.0)
 
+    def _due(self, credits: Sequence[Credit]) -> Sequence[Credit]:
+        newest = self.history.entries[-1]
+        return self._waiting.due(
+            tuple(credits),
+            newest.next_time,
+            approached=newest.approached,
+            wait=self.silent_steps.wait,
+        )
+
     def _updates_of(self, credit: Credit) -> list[Update]:
         reward = credit.reward
         if reward is None:
-            factors = Factors(False, self.history.entries[-1].attended, 0.0)
+            silent = credit.designated or self.history.entries[-1]
+            factors = Factors(False, silent.attended, 0.0)
         else:
             factors = Factors(True, reward.attending, reward.mood)
         aims = self._traced if self.credit.shares_error else self._aims
@@ -208,12 +240,26 @@ class QLearner(CreditedLearner):
             moves += self._carried(update, spread[1:])
         rate = at(self.rate, self.table.updates, update.factors)
         memory, action = self.memory, update.action
+        apart = self.silent_steps.apart
         for cell, aim, share in moves:
             values, visits = cell.row
             weight = update.weight * (share * strength)
-            step = rate(visits[action]) * weight * self._pace(values[action], aim)
-            memory.move(cell, action, aim, step, weight if weight < 1.0 else 1.0)
+            visit = weight if weight < 1.0 else 1.0
+            before = visits[action]
+            if apart:
+                before = self._count_apart(cell, update, visit)
+            step = rate(before) * weight * self._pace(values[action], aim)
+            memory.move(cell, action, aim, step, visit)
         self.table.updates += 1
+
+    def _count_apart(self, cell: Cell, update: Update, visit: float) -> float:
+        """Count a visit if it is silent; return earlier ones of the same kind."""
+        silences = self.table.silences(cell.name)
+        silent = silences[update.action]
+        if update.factors.rewarded:
+            return max(cell.row.visits[update.action] - silent, 0.0)
+        silences[update.action] += visit
+        return silent
 
     def _carried(
         self, update: Update, analogs: Sequence[tuple[Hashable, float]]

@@ -137,6 +137,10 @@ class Team:
         ]
         self._q_learner(other).move(targets, self.strength)
 
+    def common(self, robot: Hashable, state: Hashable) -> Hashable:
+        """A state as the table has it that a robot learns into."""
+        return self._common(state, robot)
+
     def _common(self, state: Hashable, robot: Hashable) -> Hashable:
         """A state as the shared table has it: seen from the first robot."""
         first = next(iter(self.members))
@@ -187,6 +191,10 @@ class Member:
     def q_values(self, state: Hashable) -> NDArray[np.float64]:
         """Value of every behavior in a state, shape (n_behaviors,)."""
         return self.team.q_values(self.robot, state)
+
+    def common(self, state: Hashable) -> Hashable:
+        """A state as the table has it that this robot learns into."""
+        return self.team.common(self.robot, state)
 
     def save(self, path: str | Path) -> None:
         """Write the whole team: one robot's share cannot go on alone."""

@@ -60,6 +60,9 @@ class Home(Protocol):
     def attended(self, agent: str, /) -> bool:
         """Whether somebody attends to the robot."""
 
+    def approached(self, agent: str, /) -> bool:
+        """Whether somebody is seen walking towards the robot."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Pair:
@@ -145,9 +148,11 @@ class LearningRobot:
         self._felt += [reward_of(each) for each in env.feedback(agent)]
         self._attended |= bool(env.attended(agent))
         if ends or state != self.pair.state:
-            self._learn(self.pair, state, env.time)
+            self._learn(self.pair, state, env.time, env.approached(agent))
 
-    def _learn(self, pair: Pair, next_state: Hashable, now: float) -> None:
+    def _learn(
+        self, pair: Pair, next_state: Hashable, now: float, approached: bool
+    ) -> None:
         self.experience = Experience(
             state=pair.state,
             action=pair.action,
@@ -157,6 +162,7 @@ class LearningRobot:
             rewards=tuple(self._felt),
             attended=self._attended,
             chosen=pair.chosen,
+            approached=bool(approached),
         )
         self._felt.clear()
         self._attended = False

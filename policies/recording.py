@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import cast
 
 from household.environment import Household
+from household.replay.choices import Choice
 from household.replay.events import Belief, BeliefShare
 from household.replay.recorder import Recorder
 from learners.learner import Credit
+from learners.team import Member
+from policies.insight import Insights
 from policies.learning import Home, LearningRobot, Observer, Pair
 
 
@@ -36,12 +40,21 @@ class RecordingObserver(Observer):
         self._episode = 0
         self._recorder: Recorder | None = None
         self._pairs: dict[str, Pair | None] = {}
+        self._household: Household | None = None
+        self._insights = Insights(())
+        self._shares = False
 
     def reset(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Begins a file; one that is open is closed."""
         self.close()
         self._pairs = dict.fromkeys(robots)
         household = cast(Household, getattr(env, "unwrapped", env))
+        self._household = household
+        self._insights = Insights(tuple(household.behaviors))
+        learners = [robot.learner for robot in robots.values()]
+        self._shares = any(isinstance(each, Member) for each in learners) or len(
+            set(map(id, learners))
+        ) < len(learners)
         self._recorder = Recorder(
             household.simulation,
             self._next_path(),
@@ -51,15 +64,34 @@ class RecordingObserver(Observer):
         )
 
     def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
-        """Records what was learned, and what is expected of each behavior now."""
+        """Records what was learned, and what is known and chosen now."""
         assert self._recorder is not None
-        self._record_credits(self._recorder, robots)
+        self._record_credits(robots)
         # Values move when a pair is over; a table may be shared by several robots.
         if any(robots[name].pair is not last for name, last in self._pairs.items()):
             for name, robot in robots.items():
-                self._pairs[name] = pair = robot.pair
-                if pair is not None:
-                    self._recorder.value(name, robot.learner.q_values(pair.state))
+                self._record_choice(name, robot)
+
+    def _record_choice(self, name: str, robot: LearningRobot) -> None:
+        pair, last = robot.pair, self._pairs[name]
+        if pair is None:
+            return
+        assert self._recorder is not None
+        assert self._household is not None
+        self._pairs[name] = pair
+        if pair is last and not self._shares:
+            return  # nobody else moves its values
+        index = self._household.possible_agents.index(name)
+        insight = self._insights.of(name, robot.learner, pair.state)
+        choice = Choice(
+            robot=name,
+            behavior=pair.action,
+            chosen=pair.chosen,
+            situation=_told(pair.state),
+            reference=self._household.simulation.appropriateness(index),
+            **insight._asdict(),
+        )
+        self._recorder.choose(choice)
 
     def stepped(
         self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
@@ -71,7 +103,7 @@ class RecordingObserver(Observer):
     def finished(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
         """Records the last beliefs and closes the file."""
         assert self._recorder is not None
-        self._record_credits(self._recorder, robots)
+        self._record_credits(robots)
         self.close()
 
     def close(self) -> None:
@@ -87,13 +119,19 @@ class RecordingObserver(Observer):
             return path
         return path.with_stem(f"{path.stem}_{number}")
 
-    @staticmethod
-    def _record_credits(
-        recorder: Recorder, robots: Mapping[str, LearningRobot]
-    ) -> None:
+    def _record_credits(self, robots: Mapping[str, LearningRobot]) -> None:
+        assert self._recorder is not None
         for name, robot in robots.items():
+            if robot.credits:
+                self._insights.learned(robot.learner, robot.credits)
             for credit in robot.credits:
-                recorder.believe(_belief(name, credit))
+                if credit.reward is not None:
+                    self._recorder.believe(_belief(name, credit))
+
+
+@lru_cache(maxsize=4096)
+def _told(state: Hashable) -> str:
+    return str(state)
 
 
 def _belief(robot: str, credit: Credit) -> Belief:

@@ -133,6 +133,7 @@ ANALOGIES: Mapping[str, Composition] = {
 PEOPLE: Mapping[str, Composition] = {
     "`views`": Composition(learner="views"),
     "`audible_views`": Composition(learner="audible_views"),
+    "`nested_views`": Composition(learner="nested_views"),
     "`views`, adaptive pooling": Composition(
         learner="views", settings=lambda _: {"pooling": "adaptive"}
     ),

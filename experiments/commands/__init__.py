@@ -11,6 +11,7 @@ from typing import Protocol
 
 from experiments.commands.benchmarking import Bench
 from experiments.commands.evaluating import Evaluate
+from experiments.commands.recording import Record
 from experiments.commands.replaying import Replay
 from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
@@ -33,6 +34,7 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "evaluate": Evaluate,
     "study": StudyCommand,
     "replay": Replay,
+    "record": Record,
     "scenarios": Scenarios,
     "check": Check,
     "bench": Bench,

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Bench:
-    """Measurement how fast everything is, beside the peers that are installed.
+    """Measure how fast everything is, beside the peers that are installed.
 
     Takes some minutes; the peers come with the extra `bench`.
     """

@@ -129,10 +129,11 @@ class Report:
     """Build claims, figures and report.html again from stored results."""
 
     directory: Annotated[Positional[Path], arg(metavar="DIR")]
-    """What `household reproduce --out` was given."""
+    """What `household reproduce --out` or `household study --out` was given."""
 
     def run(self) -> None:
         """Publishes what is stored."""
+        from experiments.report.generalization import has_studies, write_page
         from experiments.report.publish import publish
         from experiments.report.terminal import show
         from experiments.running.lock import alone_in
@@ -140,6 +141,10 @@ class Report:
         if not self.directory.is_dir():
             raise ExperimentError(f"{self.directory}: nothing to report, no directory.")
         with alone_in(self.directory):
+            if has_studies(self.directory):
+                page = write_page(self.directory)
+                new_console().print(str(page), highlight=False, soft_wrap=True)
+                return
             published = publish(self.directory)
         show(new_console(), published)
 

@@ -2,9 +2,9 @@
 
 Run as `python -m experiments.docs_tools.many_people RUNS PAGE` after
 
-    household study actors --seeds 20 --out RUNS
+    household study crowd --seeds 20 --out RUNS
     household study plenty --seeds 10 --out RUNS
-    household study newcomers --seeds 20 --out RUNS
+    household study strangers --seeds 20 --out RUNS
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from typing import Any
 from experiments.docs_tools.pages import number, render
 
 FACTORS: Mapping[str, str] = {
-    "actors": "people",
+    "crowd": "people",
     "plenty": "mistakes",
-    "newcomers": "heterogeneity",
+    "strangers": "heterogeneity",
 }
 """Study -> what it varies beside the learner."""
 
@@ -35,7 +35,7 @@ def page(documents: Mapping[str, Sequence[Mapping[str, Any]]]) -> str:
         documents: The findings of each study, as stored.
     """
     studies = {name: _by_factor(name, documents[name]) for name in FACTORS}
-    actors = studies["actors"]
+    actors = studies["crowd"]
     learners = _levels(actors, 0)
     best = max(
         learners,

@@ -79,7 +79,7 @@ class Panel:
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """Panels one below the other, with one time axis."""
+    """Panels one below the other, with one horizontal axis."""
 
     title: str
     """What the column shows."""
@@ -87,19 +87,25 @@ class Column:
     panels: tuple[Panel, ...]
     """From top to bottom."""
 
+    across: str = "time [min]"
+    """What the x axis shows, with its unit."""
 
-def save(columns: Sequence[Column], stem: Path) -> tuple[Path, Path]:
-    """Writes a figure as SVG and as PNG.
+
+def save(
+    columns: Sequence[Column], stem: Path, kinds: Sequence[str] = (".svg", ".png")
+) -> tuple[Path, ...]:
+    """Writes a figure, as SVG and as PNG unless said otherwise.
 
     Args:
         columns: Shown side by side.
         stem: Path without its suffix.
+        kinds: Suffixes of the files.
 
     Returns:
-        The two files.
+        The files.
     """
-    paths = stem.with_suffix(".svg"), stem.with_suffix(".png")
-    with _styled():
+    paths = tuple(stem.with_suffix(kind) for kind in kinds)
+    with styled():
         figure = _arranged(columns)
         for path in paths:
             _write(figure, path)
@@ -123,7 +129,8 @@ def inline(columns: Sequence[Column], name: str) -> tuple[str, ...]:
 
 
 @contextmanager
-def _styled() -> Iterator[None]:
+def styled() -> Iterator[None]:
+    """Has everything drawn within look like the figures of the paper's experiments."""
     import matplotlib as mpl
 
     with mpl.rc_context():
@@ -149,7 +156,7 @@ def _arranged(columns: Sequence[Column]) -> Figure:
             panel.draw(axes)
         below = 14 if grid[0, index].get_legend() is None else 26
         grid[0, index].set_title(column.title, pad=below)
-        grid[-1, index].set_xlabel("time [min]")
+        grid[-1, index].set_xlabel(column.across)
         grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.align_ylabels()
     figure.draw_without_rendering()  # lays out
@@ -168,7 +175,7 @@ def _write(figure: Figure, path: Path) -> None:
 
 def _svg(column: Column) -> str:
     buffer = io.StringIO()
-    with _styled():
+    with styled():
         metadata = {"Date": None, "Creator": None}
         _arranged([column]).savefig(buffer, format="svg", metadata=metadata)
     return buffer.getvalue()

@@ -1,4 +1,4 @@
-"""Runs the paper's experiments: what is missing, and nothing twice."""
+"""Runs studies: what is missing, and nothing twice."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from experiments.errors import ExperimentError
-from experiments.running.engine import Engine, Outcome, run_trials
+from experiments.running.engine import Engine, Outcome, open_engine, run_trials
 from experiments.running.files import ask_for_space
 from experiments.running.store import Results
 from experiments.running.study import Study, Trial
@@ -33,8 +33,11 @@ class Job:
     trial: Trial
     """What to run."""
 
-    run: Callable[[Trial], polars.DataFrame]
+    run: Callable[..., polars.DataFrame]
     """How to run it."""
+
+    start: tuple[Results, Trial] | None = None
+    """A stored trial that it starts from, whose table `run` gets as well."""
 
 
 def prepare(studies: Sequence[Study], out: Path) -> tuple[Job, ...]:
@@ -55,15 +58,31 @@ def prepare(studies: Sequence[Study], out: Path) -> tuple[Job, ...]:
         results.check(asked)
     for (study, results), asked in zip(wanted, configurations, strict=True):
         results.prepare(study, asked)
-    jobs = tuple(
-        Job(results=results, trial=trial, run=study.run)
-        for study, results in wanted
-        for trial in results.missing(study.trials())
-    )
+    jobs = tuple(job for study in studies for job in missing(study, out))
     if jobs:
         need = SPACE + SPACE_PER_TRIAL * len(jobs)
         ask_for_space(out, need, f"the result of {len(jobs)} trials")
     return jobs
+
+
+def missing(study: Study, out: Path) -> tuple[Job, ...]:
+    """Returns what is still to be run of a study; changes nothing.
+
+    Args:
+        study: What is wanted.
+        out: The directory that holds the directory of the study.
+    """
+    results, trials = Results(out / study.name), study.trials()
+    known = results.study_file.exists()
+    return tuple(
+        Job(
+            results=results,
+            trial=trial,
+            run=study.run,
+            start=study.start and _start(study.start(trial), out),
+        )
+        for trial in (results.missing(trials) if known else trials)
+    )
 
 
 def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> None:
@@ -78,7 +97,7 @@ def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> Non
         ExperimentError: At the end, if some trials failed; the others are stored.
     """
     failed: list[str] = []
-    for outcome in run_trials(_run, jobs, engine):
+    for outcome in run_trials(_run, map(_begun, jobs), engine):
         failed += _store(outcome)
         advance()
     if failed:
@@ -88,13 +107,51 @@ def run(jobs: Sequence[Job], engine: Engine, advance: Callable[[], None]) -> Non
         )
 
 
-def _run(job: Job) -> polars.DataFrame:
-    return job.run(job.trial)
+def run_study(study: Study, out: Path | str, engine: str = "here") -> polars.DataFrame:
+    """Runs what is still missing of a study, and returns its table.
+
+    Args:
+        study: What to run.
+        out: The directory that gets a directory for the study.
+        engine: Where to run trials, see `open_engine`. With any but `here`, the
+            program that calls this needs a guard of its main module.
+
+    Returns:
+        The tables of all trials, with the columns `condition` and `seed`.
+
+    Raises:
+        ExperimentError: If the directory cannot be used or holds other results, or some
+            trials failed; the others are stored.
+        HouseholdError: If the study's scenario cannot be used.
+    """
+    jobs = prepare((study,), Path(out))
+    run(jobs, open_engine(engine), lambda: None)
+    return Results(Path(out) / study.name).read(study)
 
 
-def _store(outcome: Outcome[Job, polars.DataFrame]) -> list[str]:
+def _start(start: tuple[str, Trial] | None, out: Path) -> tuple[Results, Trial] | None:
+    return None if start is None else (Results(out / start[0]), start[1])
+
+
+def _begun(job: Job) -> tuple[Job, polars.DataFrame | None]:
+    """Reads what a job starts from, only now: not all of it is ever in memory."""
+    if job.start is None:
+        return job, None
+    results, trial = job.start
+    return job, results.table(trial)
+
+
+def _run(begun: tuple[Job, polars.DataFrame | None]) -> polars.DataFrame:
+    job, table = begun
+    return job.run(job.trial) if table is None else job.run(job.trial, table)
+
+
+def _store(
+    outcome: Outcome[tuple[Job, polars.DataFrame | None], polars.DataFrame],
+) -> list[str]:
     """Stores a result; returns what failed if there is none."""
-    results, trial = outcome.trial.results, outcome.trial.trial
+    job, _ = outcome.trial
+    results, trial = job.results, job.trial
     if outcome.value is not None and not outcome.value.is_empty():
         results.write(trial, outcome.value)
         return []

@@ -35,13 +35,14 @@ from experiments.running.study_files import first_difference, read_study_file
 from experiments.running.trial_files import (
     FORMAT,
     Identity,
-    decoded,
+    arrow_table,
     encoded,
     fault_of,
 )
 
 if TYPE_CHECKING:
     import polars
+    import pyarrow
 
 _PACKAGES = (
     "polite-household",
@@ -53,6 +54,11 @@ _PACKAGES = (
     "pymunk",
     "scipy",
 )
+
+
+BLOCK = 1_000
+"""So many trials are read at a time: what Arrow holds of small files is ten times their
+size."""
 
 
 class Results:
@@ -189,36 +195,69 @@ class Results:
         if absent:
             raise ExperimentError(
                 f"{self.directory}: {len(absent)} of {len(trials)} trials are "
-                f"missing, e.g. {absent[0]}; run `household reproduce` to add them."
+                f"missing, e.g. {absent[0]}; run the same command again to add them."
             )
-        tables = [self._read(trial, study.columns) for trial in trials]
-        for trial, table in zip(trials, tables, strict=True):
-            if table.schema != tables[0].schema:
-                raise ExperimentError(
-                    f"{self.file(trial)}: its columns are other than those of "
-                    f"{trials[0]}. Delete one of them, and run it again."
-                )
+        first = self._arrow(trials[0], study.columns).schema
         return pl.concat(
-            table.select(
-                pl.lit(trial.condition.name).alias("condition"),
-                pl.lit(trial.seed).alias("seed"),
-                *(
-                    pl.lit(level).alias(factor)
-                    for factor, level in trial.condition.factors.items()
-                ),
-                pl.all(),
-            )
-            for trial, table in zip(trials, tables, strict=True)
+            self._block(trials[at : at + BLOCK], study.columns, first)
+            for at in range(0, len(trials), BLOCK)
         )
 
-    def _read(self, trial: Trial, columns: Sequence[str]) -> polars.DataFrame:
-        """Returns a trial's table, which has these columns and perhaps others."""
+    def _block(
+        self, trials: Sequence[Trial], columns: Sequence[str], schema: pyarrow.Schema
+    ) -> polars.DataFrame:
+        """Returns some trials in one frame, which is made only once for all of them."""
+        import polars as pl
+        import pyarrow as pa
+
+        tables = []
+        for trial in trials:
+            tables.append(self._arrow(trial, columns))
+            if not tables[-1].schema.equals(schema):
+                raise ExperimentError(
+                    f"{self.file(trial)}: its columns are other than those of the "
+                    "first trial. Delete one of them, and run it again."
+                )
+        rows = [table.num_rows for table in tables]
+        whole = pl.DataFrame(pa.concat_tables(tables))
+        return pl.concat([_labels(trials, rows), whole], how="horizontal")
+
+    def table(self, trial: Trial, columns: Sequence[str] = ()) -> polars.DataFrame:
+        """Returns a trial's table, which has these columns and perhaps others.
+
+        Raises:
+            ExperimentError: If it is missing or damaged.
+        """
+        import polars as pl
+
+        return pl.DataFrame(self._arrow(trial, columns))
+
+    def _arrow(self, trial: Trial, columns: Sequence[str]) -> pyarrow.Table:
         path = self.file(trial)
-        table = decoded(path, self.identity(trial))
-        lacking = [name for name in columns if name not in table.columns]
+        table = arrow_table(path, self.identity(trial))
+        lacking = [name for name in columns if name not in table.column_names]
         if lacking:
             raise ExperimentError(f"{path}: has no column {lacking[0]!r}. Delete it.")
         return table
+
+
+def _labels(trials: Sequence[Trial], rows: Sequence[int]) -> polars.DataFrame:
+    """Which trial each row is of: its condition, its seed and its factors."""
+    import polars as pl
+
+    named = [
+        {
+            "condition": trial.condition.name,
+            "seed": trial.seed,
+            **trial.condition.factors,
+        }
+        for trial in trials
+    ]
+    schema = dict.fromkeys(named[0], pl.String) | {"seed": pl.Int32}
+    each = pl.DataFrame(named, schema_overrides=schema, infer_schema_length=None)
+    numbers = pl.Series("number", range(len(rows)), dtype=pl.UInt32)
+    at = numbers.repeat_by(pl.Series(rows)).explode()
+    return each[at]
 
 
 def versions() -> dict[str, str]:

@@ -104,8 +104,12 @@ class Study:
     seeds: tuple[int, ...]
     """The seeds that each condition is run with."""
 
-    run: Callable[[Trial], polars.DataFrame]
+    run: Callable[..., polars.DataFrame]
     """Runs one trial; at the top of a module, so that other processes can import it."""
+
+    start: Callable[[Trial], tuple[str, Trial] | None] | None = None
+    """Says which trial of which study a trial starts from; `run` then gets that one's
+    table as well. What comes out must be the same without it."""
 
     describe: Callable[[Condition], Mapping[str, Any]] | None = None
     """Everything that a condition fixes, as plain data; None: its learner and its

@@ -173,6 +173,7 @@ def describe(record: object) -> object:
             field.name: describe(getattr(record, field.name))
             for field in dataclasses.fields(record)
             if field.init and field.repr and field.name != "rng"
+            if not _is_as_before(field, getattr(record, field.name))
         }
         return {"type": type(record).__name__} | settings
     if isinstance(record, Mapping):
@@ -182,6 +183,17 @@ def describe(record: object) -> object:
     if record is None or isinstance(record, (bool, int, float, str)):
         return record
     return repr(record)
+
+
+def _is_as_before(field: dataclasses.Field[Any], value: object) -> bool:
+    """Whether a setting says nothing new.
+
+    Those that came later are described only where they differ from what was done before
+    them, so that results stored by then stay those of the same configuration.
+    """
+    if not field.metadata.get("later") or not callable(field.default_factory):
+        return False
+    return bool(value == field.default_factory())
 
 
 def _describe_function(function: partial[Any] | FunctionType) -> dict[str, object]:

@@ -82,7 +82,7 @@ def specification(policy: str | Act | Learner) -> Specification:
     if Path(policy).suffix == ".json":
         return _of_object(_loaded(policy), policy)
     if ":" in policy:
-        return _of_object(_imported(policy), policy)
+        return _of_object(imported(policy), policy)
     from learners.catalog import CATALOG
 
     if policy not in CATALOG:
@@ -196,7 +196,7 @@ def _loaded(path: str) -> object:
     return load(path)
 
 
-def _imported(path: str) -> object:
+def imported(path: str, what: str = "policy") -> object:
     """Returns what `module:function` names; modules of this folder are found, too."""
     module, _, function = path.partition(":")
     if "" not in sys.path:
@@ -204,4 +204,4 @@ def _imported(path: str) -> object:
     try:
         return getattr(importlib.import_module(module), function)
     except (ImportError, AttributeError, ValueError) as error:
-        raise ExperimentError(f"policy {path}: {error}.") from error
+        raise ExperimentError(f"{what} {path}: {error}.") from error

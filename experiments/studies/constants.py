@@ -39,7 +39,7 @@ class Constant:
     """One constant of a scenario or of a learner."""
 
     name: str
-    """For people, e.g. `persona: praise` or `SocialRate: center`."""
+    """Where it belongs and what it is, in words that people read."""
 
     keys: Keys
     """In a scenario: its place. In a learner: (setting,) or (setting, name)."""

@@ -1,14 +1,16 @@
 """Compiling small loops with Numba, wherever the package is installed."""
 
+import inspect
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, Final, ParamSpec, TypeVar, cast
 
 from numba import njit
 
+from household.compiled.packing import Packed, unpack, words_of
 from household.compiled.patience import PATIENCE
 from household.compiled.signature import (
     Sizes,
@@ -69,12 +71,13 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
 def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
     """Fixes the first arguments of a compiled function, and the kinds of the others.
 
-    Numba finds out at each call of what kind every argument is, and that takes as long
-    as many of our loops do. Here it finds out once, from the annotations of the
-    function, so that only arrays of our own may be handed over: it no longer checks
-    what they hold, and would read wrong memory. Where the environment variable
-    `CHECKED` is 1 when a function is bound, as in the tests, every call is checked,
-    whether Numba is switched off or not.
+    Numba finds out at each call of what kind every argument is, and takes every array
+    apart; that takes as long as many of our loops do. Here it finds out once, from the
+    annotations of the function, and what is fixed is taken apart once
+    (`household.compiled.packing`). So only arrays of our own may be handed over: it no
+    longer checks what they hold, and would read wrong memory. Where the environment
+    variable `CHECKED` is 1 when a function is bound, as in the tests, every call is
+    checked, whether Numba is switched off or not.
 
     Args:
         function: From `compiled`. All parameters but the first are annotated as
@@ -91,15 +94,49 @@ def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
             first arguments is not what it should be.
     """
     parameters = parameters_of(function)
-    bound = partial(function, *first)
+    bound: Callable[..., R] = partial(function, *first)
     if hasattr(function, "compile"):  # Not with NUMBA_DISABLE_JIT.
-        others = list(parameters.values())[len(first) :]
-        kinds = (*map(typeof, first), *map(kind_of, others))
         with PATIENCE.waiting():
-            bound = partial(function.compile(kinds), *first)
+            bound = _bound(function, parameters, first)
     if os.environ.get(CHECKED) != "1":
         return bound
     return _checked(bound, function.__name__, parameters, first)
+
+
+def _bound(
+    function: Any,  # noqa: ANN401 - a dispatcher of Numba, which is not annotated
+    parameters: Mapping[str, Any],
+    first: Sequence[object],
+) -> Callable[..., Any]:
+    """A compiled function whose first arguments are handed over in one piece."""
+    given = list(parameters.values())[len(first) :]
+    kinds = tuple(map(kind_of, given))
+    if not first:
+        return cast("Callable[..., Any]", function.compile(kinds))
+    packed, words = Packed(tuple(map(typeof, first))), words_of(first)
+    entry = _entry(function, tuple(parameters), len(first))
+    bound = partial(entry.compile((packed, *kinds)), words.ctypes.data)
+    # The block and the arrays that it points to live as long as this function does; a
+    # copy would share them unseen, so there is none: a memory view cannot be copied.
+    bound.kept = words.data, first  # type: ignore[attr-defined]
+    return bound
+
+
+@lru_cache
+def _entry(function: Any, parameters: tuple[str, ...], n_first: int) -> Any:  # noqa: ANN401
+    """A compiled function of packed arguments, and others, that calls another one."""
+    plain = function.py_func
+    first, others = ", ".join(parameters[:n_first]), ", ".join(parameters[n_first:])
+    name = f"{plain.__name__}_from_{n_first}"
+    source = (
+        f"def {name}(packed, {others}):\n"
+        f"    {first}, = unpack(packed)\n"
+        f"    return function({first}, {others})\n"
+    )
+    # As if it stood in the same file, so that Numba keeps it on disk beside the other.
+    place = {"unpack": unpack, "function": function, "__name__": plain.__module__}
+    exec(compile(source, inspect.getfile(plain), "exec"), place)
+    return compiled(place[name])
 
 
 def _checked(

@@ -103,16 +103,16 @@ class Features:
         self._shape = (len(scenario.robots), ends[-1])
         starts = {name: place.start for name, place in self.layout.items()}
         places = tuple(starts.get(name, LEFT_OUT) for name in PLACES.names or ())
-        self._write = bind(
-            write_features,
+        self._of_scenario = (
             np.array([places], dtype=PLACES),
             Numbering(frame.codes(scenario.behaviors), len(frame.behaviors)),
         )
+        self._view: View | None = None
 
     def encode(self, view: View) -> Singles:
         """Every robot's observation, a new array of shape (n_robots, length)."""
         rows = np.empty(self._shape, np.float32)
-        self._write(rows, view)
+        self.write(rows, view)
         return rows
 
     def write(self, rows: Singles, view: View) -> None:
@@ -120,9 +120,12 @@ class Features:
 
         Args:
             rows: Shape (n_robots, length); what they held is overwritten.
-            view: What robots may know.
+            view: What robots may know; a household has one, that is bound once.
         """
-        self._write(rows, view)
+        if view is not self._view:
+            self._view = view
+            self._write = bind(write_features, *self._of_scenario, view)
+        self._write(rows)
 
 
 class Situations:

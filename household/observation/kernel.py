@@ -77,16 +77,16 @@ class Numbering(NamedTuple):
 def write_features(
     places: NDArray[np.void],
     numbering: Numbering,
-    rows: Annotated[Singles, "n_robots", "length"],
     view: View,
+    rows: Annotated[Singles, "n_robots", "length"],
 ) -> None:
     """Writes every robot's observation into its row.
 
     Args:
         places: Where each field begins, by its name, shape (1,).
         numbering: How behaviors are numbered.
-        rows: Shape (n_robots, length); what they held is overwritten.
         view: What robots may know.
+        rows: Shape (n_robots, length); what they held is overwritten.
     """
     n_robots = len(rows)
     rows[:] = 0.0

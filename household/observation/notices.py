@@ -47,7 +47,8 @@ class Notifier:
     def __init__(self, scenario: Scenario, frame: Frame | None = None) -> None:
         frame = frame or frame_of(scenario)
         self._shape = (len(scenario.robots), len(frame.behaviors))
-        self._write = bind(_write, frame.codes(scenario.behaviors))
+        self._codes = frame.codes(scenario.behaviors)
+        self._notices: Notices | None = None
 
     def new(self) -> Notices:
         """Arrays to write into."""
@@ -66,9 +67,13 @@ class Notifier:
         Args:
             notices: Where to; what they held is overwritten.
             robots: What they felt.
-            view: What they may know.
+            view: What they may know; a household has one.
         """
-        self._write(notices, view.behavior, view.left, view.attends)
+        if notices is not self._notices:  # Mostly the same ones, and bound once.
+            self._notices = notices
+            told = notices, view.behavior, view.left, view.attends
+            self._write = bind(_write, self._codes, *told)
+        self._write()
         if robots.touched:  # Mostly nobody touches, and this happens at every step.
             for robot, touches in enumerate(robots.feedback):
                 caresses = sum(touch.kind == "caress" for touch in touches)

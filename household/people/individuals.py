@@ -1,15 +1,18 @@
 """Minds of one person each, for those who would rather write one in plain Python."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
 from household.activity import Activity
+from household.arguments import check_name
 from household.compiled.arrays import Floats, Mask
-from household.feedback import Cause
+from household.feedback import Cause, Kind
+from household.home.places import Places
 from household.people.mind import OWN_ACTIVITY, Intentions, Minds, Percepts, Wish
+from household.scenario.scenario import Scenario
 
 ACTIVITIES = tuple(Activity)
 
@@ -30,6 +33,15 @@ class Appraisal:
     attending: bool
     cause: Cause
 
+    def wish(self, kind: Kind, strength: float) -> Wish:
+        """The wish to answer that bout with a touch.
+
+        Args:
+            kind: How to touch the robot.
+            strength: In (0, 1].
+        """
+        return Wish(self.robot, kind, strength, self.cause)
+
 
 @dataclass(frozen=True, slots=True)
 class Percept:
@@ -47,6 +59,7 @@ class Percept:
         moving: Whether each robot is on the move, shape (n_robots,).
         sees: Whether it sees each entity (people first, then robots), shape (n,).
         level: How loud it hears each entity, shape (n,) [dB].
+        names: Of the entities; none if `Individuals` were not told the scenario.
     """
 
     time: float
@@ -60,6 +73,27 @@ class Percept:
     moving: Mask
     sees: Mask
     level: Floats
+    names: tuple[str, ...] = ()
+
+    def sees_who(self, name: str) -> bool:
+        """Whether it sees a person or a robot, by name.
+
+        Raises:
+            HouseholdError: If there is nobody of that name.
+        """
+        return bool(self.sees[self._index(name)])
+
+    def hears_how_loud(self, name: str) -> float:
+        """How loud it hears a person or a robot, by name [dB].
+
+        Raises:
+            HouseholdError: If there is nobody of that name.
+        """
+        return float(self.level[self._index(name)])
+
+    def _index(self, name: str) -> int:
+        check_name(name, self.names, "person or robot")
+        return self.names.index(name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,14 +101,15 @@ class Intention:
     """What a person is about to do.
 
     Attributes:
-        place: Index of the activity region to be in.
-        look: Index of the entity to look at, or `OWN_ACTIVITY`.
+        place: Name of the activity region to be in, or an activity, of which the person
+            takes its own region; or the region's index.
+        look: Name of the person or robot to look at, or its index, or `OWN_ACTIVITY`.
         eyes_open: False in sleep.
         wish: The touch that it is out to give, if any; it goes to the robot first.
     """
 
-    place: int
-    look: int = OWN_ACTIVITY
+    place: str | int
+    look: str | int = OWN_ACTIVITY
     eyes_open: bool = True
     wish: Wish | None = None
 
@@ -110,11 +145,21 @@ class Individuals(Minds):
     fulfilled; an equal one after that is another wish.
 
     Args:
-        minds: One for each person, in order.
+        minds: One for each person, in order; or for some, by the person's index.
+        scenario: Who lives where; without it, minds speak of places and of each other
+            by index only.
     """
 
-    def __init__(self, minds: Sequence[Mind]) -> None:
-        self._minds = minds
+    def __init__(
+        self,
+        minds: Sequence[Mind] | Mapping[int, Mind],
+        scenario: Scenario | None = None,
+    ) -> None:
+        by_person = minds if isinstance(minds, Mapping) else dict(enumerate(minds))
+        self.who = tuple(by_person)
+        self._minds = tuple(by_person.values())
+        self._places = [_places(person, scenario) for person in self.who]
+        self._names = () if scenario is None else _names(scenario)
         self._wishes: list[Wish | None] = []
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
@@ -127,24 +172,53 @@ class Individuals(Minds):
     def decide(self, percepts: Percepts) -> Intentions:
         """Asks one after the other."""
         each = [
-            mind.decide(_percept(i, percepts)) for i, mind in enumerate(self._minds)
+            mind.decide(_percept(person, percepts, self._names))
+            for person, mind in zip(self.who, self._minds, strict=True)
         ]
-        return self._together(each, percepts.condition.touched)
+        return self._together(each, percepts.condition.touched[list(self.who)])
 
     def _together(self, each: Sequence[Intention], touched: Mask) -> Intentions:
         """Puts everybody's intentions together, and finds whose wish is another."""
         before, self._wishes = self._wishes, [one.wish for one in each]
         differs = [new != old for new, old in zip(self._wishes, before, strict=True)]
+        places = [
+            _index(one.place, known, "place")
+            for one, known in zip(each, self._places, strict=True)
+        ]
+        known = {name: index for index, name in enumerate(self._names)}
+        looks = [_index(one.look, known, "person or robot") for one in each]
         return Intentions(
-            place=np.array([one.place for one in each], dtype=np.intp),
-            look=np.array([one.look for one in each], dtype=np.intp),
+            place=np.array(places, dtype=np.intp),
+            look=np.array(looks, dtype=np.intp),
             eyes_open=np.array([one.eyes_open for one in each]),
             wishes=self._wishes,
             changed=touched | np.array(differs),
         )
 
 
-def _percept(i: int, percepts: Percepts) -> Percept:
+def _index(named: str | int, known: Mapping[str, int], what: str) -> int:
+    """What a mind speaks of, by index."""
+    if not isinstance(named, str):
+        return named
+    check_name(named, known, what)
+    return known[named]
+
+
+def _names(scenario: Scenario) -> tuple[str, ...]:
+    """Everybody's names, people first, as minds know them."""
+    return (*scenario.person_names, *scenario.robot_names)
+
+
+def _places(person: int, scenario: Scenario | None) -> dict[str, int]:
+    """The regions by their names, and by the activities that a person has there."""
+    if scenario is None:
+        return {}
+    places = Places(scenario.plan)
+    names = [name for each in places.regions for name in (each.activity, each.name)]
+    return {name: places.own(name, person) for name in names}
+
+
+def _percept(i: int, percepts: Percepts, names: tuple[str, ...]) -> Percept:
     """What one person perceives; the arrays are its own, to keep."""
     condition, surroundings = percepts.condition, percepts.surroundings
     return Percept(
@@ -159,6 +233,7 @@ def _percept(i: int, percepts: Percepts) -> Percept:
         moving=surroundings.moving.copy(),
         sees=surroundings.sees[i].copy(),
         level=surroundings.level[i].copy(),
+        names=names,
     )
 
 

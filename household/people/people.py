@@ -99,14 +99,14 @@ class People(Stateful):
         self._last = np.full((n, n_robots), -1, np.intp)
         traits, regions = traits_of(personas), regions_of(self.places)
         self._appear = bind(appear, self.appearance, regions, traits)
-        self._appraise = bind(
-            _appraise_and_feel,
+        self._appraisers = (
             Appraisers(self.preferences.values, self._last),
             traits,
             self.appraisals,
             self.feelings,
             self.appearance,
         )
+        self._bouts: Bouts | None = None
 
     def begin(self, rngs: Sequence[np.random.Generator]) -> Floats:
         """Begins a new episode.
@@ -158,7 +158,11 @@ class People(Stateful):
             senses: What everybody perceives.
             robots: What there is to be perceived.
         """
-        self._appraise(robots.present, senses.relations)
+        if robots.present is not self._bouts:  # Mostly the same, and bound once.
+            self._bouts = robots.present
+            known = *self._appraisers, robots.present, senses.relations
+            self._appraise = bind(_appraise_and_feel, *known)
+        self._appraise()
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.

@@ -38,10 +38,10 @@ def everyone_of(scenario: Scenario) -> list[Person]:
                 scenario.behaviors,
                 scenario.population,
                 scenario.heterogeneity,
-                index,
+                number,
             ),
         )
-        for index, (spec, persona) in enumerate(
-            zip(scenario.people, scenario.personas, strict=True)
+        for spec, persona, number in zip(
+            scenario.people, scenario.personas, scenario.numbers, strict=True
         )
     ]

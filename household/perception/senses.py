@@ -71,14 +71,14 @@ class Senses(Stateful):
             attend_above=model.attend_above,
             attend_below=model.attend_below,
         )
-        self._perceive = bind(
-            _perceive,
+        self._of_home = (
             Barriers(self.walls, _columns(plan.tall_diagonals)),
             Acoustics(model.wall_loss, silent),
             attention,
             self.obstructions,
             self.relations,
         )
+        self._entities: Entities | None = None
 
     def forget(self) -> None:
         """Begins a new episode: nobody has perceived anything yet."""
@@ -98,7 +98,10 @@ class Senses(Stateful):
         Returns:
             Whether anybody attends to others than before.
         """
-        return self._perceive(entities, now)
+        if entities is not self._entities:  # Mostly the same, and bound once.
+            self._entities = entities
+            self._perceive = bind(_perceive, *self._of_home, entities)
+        return self._perceive(now)
 
 
 @compiled

@@ -2,19 +2,18 @@
 
 from typing import TYPE_CHECKING, Any
 
-from household.replay.scenery import LANE, MOST_ROWS, WINDOW, lanes_of, names_of, second
+from household.replay import views
 from household.scenario.scenario import Scenario
-from household.view.floorplan_svg import size_of
 
 if TYPE_CHECKING:
     import rerun.blueprint as rrb
 
-PAPER = (250, 250, 248)
-"""Background of drawings, in a dark viewer as well."""
+FEW_ROBOTS, FEW_PEOPLE = 2, 6
+"""Up to so many, everything is side by side; of more, groups are folded into tabs."""
 
 
 def blueprint(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
-    """The plan in the middle, attention and values beside it, time series below.
+    """The plan and the robots' reasons above, what happened over time below.
 
     Args:
         scenario: The household.
@@ -23,165 +22,69 @@ def blueprint(scenario: Scenario, learns: bool, live: bool) -> "rrb.Blueprint":
     """
     import rerun.blueprint as rrb
 
-    matrix = min(6.0, max(3.0, 0.4 * len(names_of(scenario))))
-    left = rrb.Vertical(
-        _attention(scenario),
-        _situations(),
-        _moods(),
-        row_shares=[matrix, 1.2, 2],
-    )
-    values = _values(scenario) if learns else []
-    shares = [2.0] * len(values) + [2.5]
-    right = rrb.Vertical(*values, _events(), row_shares=shares)
-    above = rrb.Horizontal(left, _plan(scenario), right, column_shares=[3, 6, 4])
-    rewards = rrb.Vertical(*_rewards(), row_shares=[2, 3])
-    below = rrb.Horizontal(
-        rewards, _doings(scenario), _credit(scenario), column_shares=[3, 4, 6]
-    )
-    fps = 10.0 / scenario.decision_period
+    few = len(scenario.robots) <= FEW_ROBOTS and len(scenario.people) <= FEW_PEOPLE
     return rrb.Blueprint(
-        rrb.Vertical(above, below, row_shares=[5, 2.4]),
-        rrb.TimePanel(
-            timeline="decision",
-            state="collapsed",
-            play_state="following" if live else "paused",
-            fps=fps,
+        rrb.Vertical(
+            _above(scenario, learns, few), _below(scenario, learns), row_shares=[5, 2.7]
         ),
+        time_panel(scenario, "following" if live else "paused"),
         rrb.BlueprintPanel(state="collapsed"),
         rrb.SelectionPanel(state="collapsed"),
         auto_views=False,
     )
 
 
-def _plan(scenario: Scenario) -> Any:  # noqa: ANN401 - Rerun's views
+def time_panel(scenario: Scenario, play_state: str) -> "rrb.TimePanel":
+    """The panel below all views, ten times as fast as life.
+
+    Args:
+        scenario: The household.
+        play_state: "paused" or "following".
+    """
     import rerun.blueprint as rrb
 
-    plan = scenario.plan
-    width, height = size_of(plan)
-    left, top = float(plan.lower[0]) - 0.3, float(plan.upper[1]) + 0.3
-    return rrb.Spatial2DView(
-        origin="/",
-        contents=["+ /plan/**", "+ /world/**"],
-        name=f"{scenario.name}: {plan.name}",
-        background=PAPER,
-        visual_bounds=rrb.VisualBounds2D(
-            x_range=[left, left + width], y_range=[-top, height - top]
-        ),
+    state: Any = play_state
+    return rrb.TimePanel(
+        timeline="decision",
+        state="collapsed",
+        play_state=state,
+        fps=10.0 / scenario.decision_period,
     )
 
 
-def _attention(scenario: Scenario) -> Any:  # noqa: ANN401
+def _above(scenario: Scenario, learns: bool, few: bool) -> Any:  # noqa: ANN401 - Rerun's
     import rerun.blueprint as rrb
 
-    n = len(names_of(scenario))
-    names = 0.2 * n if n <= MOST_ROWS else 0.0
-    return rrb.Spatial2DView(
-        origin="/attention",
-        name="Attention: row looks at column",
-        background=PAPER,
-        visual_bounds=rrb.VisualBounds2D(
-            x_range=[-1 - names, 1.05 * n], y_range=[-1.0, n + 0.5]
-        ),
-    )
+    plan = views.plan(scenario)
+    if not few:
+        plan = rrb.Tabs(
+            plan, views.doings(scenario), views.moods(), views.attention(scenario)
+        )
+    if not learns:
+        right = rrb.Vertical(views.situations(), views.events(), row_shares=[1, 2])
+        return rrb.Horizontal(plan, right, column_shares=[5, 3])
+    whys = [views.why(robot) for robot in scenario.robot_names]
+    if few:
+        shares = [5.6, *(3.1 for _ in whys)]
+        return rrb.Horizontal(plan, *whys, column_shares=shares)
+    right = rrb.Vertical(rrb.Tabs(*whys), views.situations(), row_shares=[3, 1])
+    return rrb.Horizontal(plan, right, column_shares=[5, 3])
 
 
-def _situations() -> Any:  # noqa: ANN401
+def _below(scenario: Scenario, learns: bool) -> Any:  # noqa: ANN401
     import rerun.blueprint as rrb
 
-    return rrb.TextDocumentView(origin="/situation", name="Situation")
-
-
-def _events() -> Any:  # noqa: ANN401
-    import rerun.blueprint as rrb
-
-    return rrb.TextLogView(
-        origin="/events",
-        name="Touches and credit",
-        columns=rrb.TextLogColumns(text_log_columns=["Body"]),
-    )
-
-
-def _values(scenario: Scenario) -> list[Any]:
-    import rerun.blueprint as rrb
-
-    views = [
-        rrb.TimeSeriesView(origin=f"/q/{robot}", name=f"Q-values of {robot}")
-        for robot in scenario.robot_names
-    ]
-    return views if len(views) <= 3 else [rrb.Tabs(*views)]
-
-
-def _moods() -> Any:  # noqa: ANN401
-    import rerun.blueprint as rrb
-
-    return rrb.TimeSeriesView(
-        origin="/mood",
-        name="Moods (private)",
-        axis_y=rrb.ScalarAxis(range=(-1.0, 1.0)),
-    )
-
-
-def _rewards() -> list[Any]:
-    import rerun.blueprint as rrb
-
-    legend = rrb.PlotLegend(visible=False)
-    return [
-        rrb.TimeSeriesView(
-            origin="/reward/now",
-            name="Touches",
-            plot_legend=legend,
-            axis_y=rrb.ScalarAxis(range=(-1.1, 1.1)),
-        ),
-        rrb.TimeSeriesView(
-            origin="/reward/sum",
-            name="Sum of touches",
-            plot_legend=rrb.Corner2D.LeftTop,
-        ),
-    ]
-
-
-def _doings(scenario: Scenario) -> Any:  # noqa: ANN401
-    import rerun.blueprint as rrb
-
-    lanes = [f"+ /{lane}" for lane in lanes_of(scenario)]
-    boundary = rrb.TimeRangeBoundary
-    around = rrb.TimeRange(
-        boundary.cursor_relative(seq=-40), boundary.cursor_relative(seq=5)
-    )
-    return rrb.StateTimelineView(
-        origin="/",
-        contents=lanes,
-        name="Activities and behaviors",
-        time_view=rrb.TimeAxis(view_range=around),
-    )
-
-
-def _credit(scenario: Scenario) -> Any:  # noqa: ANN401
-    import rerun.blueprint as rrb
-
-    n, period = len(scenario.robots), scenario.decision_period
-    unit = second(scenario)
-    back = round(WINDOW / period)
-    boundary = rrb.TimeRangeBoundary
-    ranges = [
-        rrb.VisibleTimeRange(
-            "decision",
-            start=boundary.cursor_relative(seq=-back),
-            end=boundary.cursor_relative(),
-        ),
-        rrb.VisibleTimeRange(
-            "seconds",
-            start=boundary.cursor_relative(seconds=-WINDOW),
-            end=boundary.cursor_relative(),
-        ),
-    ]
-    return rrb.Spatial2DView(
-        origin="/credit",
-        name="Credit: believed above, true below",
-        background=PAPER,
-        visual_bounds=rrb.VisualBounds2D(
-            x_range=[-(WINDOW + 9) * unit, 2 * unit],
-            y_range=[-0.7 * LANE, (n - 0.1) * LANE],
-        ),
-        time_ranges=ranges,
+    over_time = [views.doings(scenario), *views.rewards()]
+    if learns:
+        over_time += [views.values(robot) for robot in scenario.robot_names]
+    about = [views.events(), views.attention(scenario), views.moods()]
+    if learns:
+        about.insert(1, views.firsts())
+    else:
+        about.append(about.pop(0))  # it is above already
+    return rrb.Horizontal(
+        rrb.Tabs(*over_time),
+        views.credit(scenario),
+        rrb.Tabs(*about),
+        column_shares=[4, 5, 4.4],
     )

@@ -24,6 +24,10 @@ HEADER, MESSAGE = 12, struct.Struct("<QQ")
 """Length of a file's header; kind and length before each of its messages."""
 
 
+EXACT = frozenset({"state", "touches", "credits", "choices"})
+"""Entities with exact columns; so have robots' values, whose names begin with q/."""
+
+
 def read_tables(path: Path) -> dict[str, Table]:
     """Reads a recording, also one that a kill cut off.
 
@@ -80,7 +84,9 @@ def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
 
 
 def _is_exact(entity: str) -> bool:
-    return entity in {"state", "touches", "credits"} or entity.startswith("q/")
+    return entity in {"state", "touches", "credits", "choices"} or entity.startswith(
+        "q/"
+    )
 
 
 def _table(batch: Any) -> Table:  # noqa: ANN401 - Arrow has no type information

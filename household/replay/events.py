@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.replay.buffer import Buffer
+from household.feedback import Cause, Feedback
+from household.replay.buffer import REMEMBERED, Buffer
 from household.replay.columns import colors, exact, strips, vectors, words
 from household.replay.marks import Marks, Point, arcs, send_touch_marks, touch_color
-from household.replay.scenery import LANE, second
+from household.replay.names import Felt
+from household.replay.sheets import LANE, second
 from household.replay.stream import Stream, Times, times_of
 from household.replay.touches import touch_columns
 from household.scenario.scenario import Scenario
@@ -19,8 +21,6 @@ from household.view.colors import packed
 
 SHOWN = 5.0
 """How long a touch stays on the floor plan [s]."""
-
-VERBS = {"caress": "caresses", "tap": "taps"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +75,7 @@ class Events:
         self._marks = {name: Marks(stay) for name in ("touches", "true", "believed")}
         self._touches: list[tuple[int, Touch]] = []
         self._beliefs: list[tuple[int, Belief]] = []
+        self._causes: dict[tuple[str, str, float], Cause] = {}
         self._first = 0
 
     def feel(self, touches: Iterable[Touch]) -> None:
@@ -86,6 +87,10 @@ class Events:
             mark = (spot, touch.feedback)
             self._marks["touches"].items.append((now, touch.robot, mark))
             cause = touch.cause
+            key = (touch.robot, touch.feedback.giver, touch.feedback.time)
+            self._causes[key] = cause
+            if len(self._causes) > REMEMBERED:
+                del self._causes[next(iter(self._causes))]
             line = (spot, self._spot(cause.robot, cause.decision))
             self._marks["true"].items.append((now, None, line))
 
@@ -97,6 +102,15 @@ class Events:
             touched = self._spot(belief.robot, self._decision(belief.time))
             meant = self._spot(belief.robot, self._decision(belief.designated.time))
             self._marks["believed"].items.append((now, None, (touched, meant)))
+
+    def felt(self) -> list[Felt]:
+        """The touches that robots' names tell of since the last write."""
+        marks = self._marks["touches"]
+        return [
+            Felt(at, at + marks.stay, self._robots[robot], _mark_text(feedback))
+            for at, robot, (_, feedback) in marks.items
+            if robot is not None
+        ]
 
     def send(self, stream: Stream) -> None:
         """Writes what was added since the last time."""
@@ -155,14 +169,21 @@ class Events:
         curves = arcs(at, meant, 1.0)[:, None]
         true = strips(rr.LineStrips2D.descriptor_strips(), curves)
         stream.send("credit/past/true", times, [true])
-        text = [self._touch_text(touch) for touch in touches]
-        level = ["INFO" if f.kind == "caress" else "WARN" for f in felt]
-        stream.send("events", times, rr.TextLog.columns(text=text, level=level))
+        now = [decision for decision, _ in self._touches]
+        told = [
+            (at, touch.feedback.kind.upper(), self._touch_text(touch))
+            for at, touch in self._touches
+        ]
+        told += [
+            (at, "BLAME", self._blame_text(touch))
+            for at, touch in zip(now, touches, strict=True)
+            if touch.cause.robot != touch.robot
+        ]
+        self._tell(stream, "events/touches", told)
 
     def _send_beliefs(self, stream: Stream) -> None:
         import rerun as rr
 
-        times = self._times(decision for decision, _ in self._beliefs)
         shares = [
             (decision, belief, share)
             for decision, belief in self._beliefs
@@ -177,9 +198,21 @@ class Events:
         radii = np.array([0.005 + 0.025 * min(share.weight, 1.0) for _, share in pairs])
         lines = rr.LineStrips2D.columns(strips=curves, radii=radii)
         stream.send("credit/past/believed", at, lines)
-        text = [self._belief_text(belief) for _, belief in self._beliefs]
-        level = ["DEBUG"] * len(text)
-        stream.send("events", times, rr.TextLog.columns(text=text, level=level))
+        told = [(at, "CREDIT", self._belief_text(b)) for at, b in self._beliefs]
+        mistakes = [(at, self._mistake(belief)) for at, belief in self._beliefs]
+        told += [(at, "MISTAKE", text) for at, text in mistakes if text]
+        self._tell(stream, "events/credit", told)
+
+    def _tell(
+        self, stream: Stream, entity: str, told: list[tuple[int, str, str]]
+    ) -> None:
+        """Writes lines of the table of events: when, of what kind, and the text."""
+        import rerun as rr
+
+        told.sort(key=lambda line: line[0])
+        at, levels, texts = zip(*told, strict=True)
+        log = rr.TextLog.columns(text=list(texts), level=list(levels))
+        stream.send(entity, self._times(at), log)
 
     def _on_lanes(self, events: Sequence[tuple[float, str]]) -> Floats:
         """Where times [s] and robots are in the picture of credit, shape (n, 2)."""
@@ -205,8 +238,15 @@ class Events:
         felt, cause = touch.feedback, touch.cause
         other = "" if cause.robot == touch.robot else f" of {cause.robot}"
         return (
-            f"{felt.giver} {VERBS[felt.kind]} {touch.robot} ({felt.value:+.2f}) for "
+            f"{felt.kind} by {felt.giver} on {touch.robot} ({felt.value:+.2f}) for "
             f"{self._name(cause.behavior)}{other} {felt.time - cause.time:.1f} s before"
+        )
+
+    def _blame_text(self, touch: Touch) -> str:
+        cause = touch.cause
+        return (
+            f"wrong blame by {touch.feedback.giver}: {touch.robot} got the "
+            f"{touch.feedback.kind} for {self._name(cause.behavior)} of {cause.robot}"
         )
 
     def _belief_text(self, belief: Belief) -> str:
@@ -216,7 +256,24 @@ class Events:
             f"({s.weight:.2f})"
             for s in shares
         )
-        return f"  {belief.robot} believes, for {about or 'nothing'}"
+        return f"{belief.robot} believes, for {about or 'nothing'}"
+
+    def _mistake(self, belief: Belief) -> str | None:
+        """What is wrong with a belief, in words; None if it is right."""
+        cause = self._causes.pop((belief.robot, belief.giver, belief.time), None)
+        meant = belief.designated
+        if cause is None or meant is None or cause.robot != belief.robot:
+            return None  # Of other robots' doings, none of its own entries is right.
+        if meant.behavior == cause.behavior:
+            return None
+        return (
+            f"wrong credit by {belief.robot}: {self._name(meant.behavior)}, where "
+            f"{belief.giver} meant {self._name(cause.behavior)}"
+        )
 
     def _name(self, behavior: int) -> str:
         return self._scenario.behaviors[behavior] if behavior >= 0 else "nothing"
+
+
+def _mark_text(feedback: Feedback) -> str:
+    return f"{feedback.kind} by {feedback.giver} {feedback.value:+.2f}"

@@ -8,8 +8,8 @@ import numpy as np
 
 from household.compiled.arrays import Floats, Integers, Singles
 from household.feedback import Feedback
-from household.replay.columns import colors, texts, vectors
-from household.replay.scenery import LANE
+from household.replay.columns import colors, vectors
+from household.replay.sheets import LANE
 from household.replay.stream import Stream, Times
 from household.view.colors import CARESS, TAP, packed
 
@@ -73,7 +73,7 @@ def send_touch_marks(
     marks: Sequence[tuple[Point, Feedback]],
     sizes: Integers,
 ) -> None:
-    """Writes dots where robots were touched; above each, who touched and how.
+    """Writes dots where robots were touched.
 
     Args:
         stream: Where to.
@@ -91,13 +91,6 @@ def send_touch_marks(
         colors(kind.descriptor_colors(), look, sizes),
     )
     stream.send("world/touches", times, dots)
-    labels = [f"{f.giver}: {f.kind} {f.value:+.2f}" for _, f in marks]
-    above = spots + np.array([0.0, 0.5])
-    words = (
-        vectors(kind.descriptor_positions(), above, sizes),
-        texts(kind.descriptor_labels(), labels, np.arange(len(labels)), sizes),
-    )
-    stream.send("world/touches/texts", times, words)
 
 
 def arcs(start: Floats, end: Floats, side: float) -> Singles:

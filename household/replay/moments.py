@@ -1,87 +1,45 @@
 """Writes what changes from moment to moment, as columns."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES, Activity
-from household.compiled.arrays import Floats, Indices, Mask
-from household.compiled.jit import compiled
+from household.activity import ACTIVITY_NAMES
+from household.compiled.arrays import Floats, Indices
 from household.replay.columns import colors, exact, pictures, strips, texts, vectors
-from household.replay.scenery import LANE, lanes_of, second
+from household.replay.names import Felt, send_names
+from household.replay.rows import bends, changes
+from household.replay.scenery import lanes_of
+from household.replay.sheets import LANE, second
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
 from household.simulation.moment import FIELDS, Moments
-from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
-from household.view.colors import ACTIVITIES, behavior_color, heat, packed
+from household.simulation.simulation import PERSON_RADIUS
+from household.view.colors import IDLE, behavior_colors, heat, packed
 from household.view.cone import gaze_cones
+from household.view.signs import SIGNS
 
 if TYPE_CHECKING:
     from rerun import ComponentColumn
 
-ARROW = 0.35
-"""Length of the arrow that shows where a body faces [m]."""
+ARROW, EDGE = 0.18, 0.2
+"""Length of the arrow that shows where a body faces, and where it begins [m]."""
 
 VISIBLE = 0.005
 """By how much a drawn curve may miss a mood, which is in [-1, 1]."""
 
-PEOPLE, GAZES = packed(ACTIVITIES), packed(ACTIVITIES, 160)
-"""Colors of people and of their gazes, by activity."""
-
-
-def changes(*columns: NDArray[np.generic]) -> Indices:
-    """Indices of the rows that differ from the row before, and of the first one."""
-    changed = np.zeros(len(columns[0]), dtype=np.bool_)
-    changed[:1] = True
-    for column in columns:
-        _mark_changes(column.reshape(len(column), -1), changed)
-    return np.flatnonzero(changed)
-
-
-@compiled
-def _mark_changes(values: NDArray[Any], changed: Mask) -> None:
-    for row in range(1, len(values)):
-        for k in range(values.shape[1]):
-            if values[row, k] != values[row - 1, k]:
-                changed[row] = True
-                break
-
-
-def bends(values: Floats, tolerance: float) -> Indices:
-    """Indices of the rows that suffice to draw time series as straight lines.
-
-    Args:
-        values: One row for each moment, shape (n_moments, n).
-        tolerance: By how much the lines may miss a value.
-    """
-    kept = np.zeros(len(values), dtype=np.bool_)
-    kept[:1] = kept[-1:] = True
-    _mark_bends(values, tolerance, kept)
-    return np.flatnonzero(kept)
-
-
-@compiled
-def _mark_bends(values: Floats, tolerance: float, kept: Mask) -> None:
-    last = 0
-    for row in range(1, len(values)):
-        if _differ(values[row], values[last], tolerance):
-            # Up to a jump the line stays where it was.
-            kept[row - 1] |= _differ(values[row], values[row - 1], tolerance)
-            kept[row], last = True, row
-
-
-@compiled
-def _differ(one: Floats, other: Floats, tolerance: float) -> bool:
-    """Whether any number differs by more than a tolerance."""
-    differ = False
-    for k in range(len(one)):
-        differ |= abs(one[k] - other[k]) > tolerance
-    return differ
+SIGN = 0.62 * PERSON_RADIUS
+"""Size of the sign in a person's body [m]."""
 
 
 def send_moments(
-    stream: Stream, scenario: Scenario, moments: Moments, total: Floats
+    stream: Stream,
+    scenario: Scenario,
+    moments: Moments,
+    total: Floats,
+    felt: Sequence[Felt],
 ) -> None:
     """Writes what happened.
 
@@ -90,11 +48,13 @@ def send_moments(
         scenario: The household.
         moments: What happened.
         total: Sum of each robot's rewards before that, shape (n_robots,).
+        felt: The touches that robots' names tell of.
     """
     # The exact state comes first: it can be read where a kill cuts off what is drawn.
     send_state(stream, moments)
     _send_people(stream, scenario, moments)
     _send_robots(stream, scenario, moments)
+    send_names(stream, scenario, moments, felt)
     _send_series(stream, moments, total)
     _send_attention(stream, moments)
     _send_lanes(stream, scenario, moments)
@@ -111,16 +71,12 @@ def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     n = len(scenario.people)
-    _send_bodies(stream, "world/people", moments, slice(0, n), PERSON_RADIUS)
-    where = changes(moments.activity)
-    activity = moments.activity[where]
-    look = colors(rr.Points2D.descriptor_colors(), PEOPLE[activity])
-    _send_at(stream, "world/people", moments, where, look)
-    which = activity + len(Activity) * np.arange(n)
-    names = texts(rr.Points2D.descriptor_labels(), _person_labels(scenario), which)
-    _send_at(stream, "world/people/names", moments, where, names)
-    tint = colors(rr.LineStrips2D.descriptor_colors(), GAZES[activity])
-    _send_at(stream, "world/people/gaze", moments, where, tint)
+    _send_bodies(stream, "world/people", moments, slice(0, n))
+    where = changes(moments.position[:, :n], moments.activity)
+    signs = SIGN * SIGNS[moments.activity[where]]
+    signs += moments.position[where, :n, None]
+    drawn = strips(rr.LineStrips2D.descriptor_strips(), signs)
+    _send_at(stream, "world/people/signs", moments, where, drawn)
     where = changes(moments.position[:, :n], moments.gaze[:, :n], moments.half_view)
     cones = gaze_cones(
         moments.position[where, :n],
@@ -133,53 +89,40 @@ def _send_people(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     _send_at(stream, "world/people/gaze", moments, where, outline)
 
 
-def _person_labels(scenario: Scenario) -> list[str]:
-    """The label of each person in each activity, one person after the other."""
-    words = [f": {word}" for word in ACTIVITY_NAMES[: Activity.UNKNOWN]] + [""]
-    return [name + word for name in scenario.person_names for word in words]
-
-
 def _send_robots(stream: Stream, scenario: Scenario, moments: Moments) -> None:
     import rerun as rr
 
     robots = slice(len(scenario.people), None)
-    _send_bodies(stream, "world/robots", moments, robots, ROBOT_RADIUS)
+    _send_bodies(stream, "world/robots", moments, robots)
+    points = rr.Points2D.descriptor_positions()
+    where = changes(moments.position[:, robots])
+    rings = vectors(points, moments.position[where, robots])
+    _send_at(stream, "world/robots/doing", moments, where, rings)
     where = changes(moments.behavior)
     # Before the first choice it is -1.
     behavior = moments.behavior[where] + 1
     look = colors(rr.Points2D.descriptor_colors(), _palette(scenario)[behavior])
-    _send_at(stream, "world/robots", moments, where, look)
-    doing = ["-", *scenario.behaviors]
-    labels = [f"{name}: {word}" for name in scenario.robot_names for word in doing]
-    which = behavior + len(doing) * np.arange(len(scenario.robots))
-    names = texts(rr.Points2D.descriptor_labels(), labels, which)
-    _send_at(stream, "world/robots/names", moments, where, names)
+    _send_at(stream, "world/robots/doing", moments, where, look)
 
 
 def _palette(scenario: Scenario) -> NDArray[np.uint32]:
     """The color of no behavior, and those of all behaviors."""
-    return packed([behavior_color(b) for b in range(-1, len(scenario.behaviors))])
+    return packed([IDLE, *behavior_colors(scenario.behaviors)])
 
 
-def _send_bodies(
-    stream: Stream, entity: str, moments: Moments, who: slice, radius: float
-) -> None:
-    """Writes where bodies are and where they face, with their names below them."""
+def _send_bodies(stream: Stream, entity: str, moments: Moments, who: slice) -> None:
+    """Writes where bodies are and where they face."""
     import rerun as rr
 
-    points = rr.Points2D.descriptor_positions()
     where = changes(moments.position[:, who], moments.heading[:, who])
     position, angle = moments.position[where, who], moments.heading[where, who]
-    arrows = ARROW * np.stack([np.cos(angle), np.sin(angle)], -1)
+    ahead = np.stack([np.cos(angle), np.sin(angle)], -1)
     bodies = (
-        vectors(points, position),
-        vectors(rr.Arrows2D.descriptor_vectors(), arrows),
-        vectors(rr.Arrows2D.descriptor_origins(), position),
+        vectors(rr.Points2D.descriptor_positions(), position),
+        vectors(rr.Arrows2D.descriptor_vectors(), ARROW * ahead),
+        vectors(rr.Arrows2D.descriptor_origins(), position + EDGE * ahead),
     )
     _send_at(stream, entity, moments, where, *bodies)
-    where = changes(moments.position[:, who])
-    below = moments.position[where, who] - np.array([0.0, radius])
-    _send_at(stream, f"{entity}/names", moments, where, vectors(points, below))
 
 
 def _send_at(

@@ -31,6 +31,11 @@ class Replay:
             ``decision`` at which it was learned, ``robot`` (index), ``giver``,
             ``touch_time`` [s], ``time`` [s] when the entry began, ``behavior``
             (index), ``weight``, ``designated``; empty without learners.
+        choices: One row for each choice of a learner, and for each time that it found
+            itself in another situation: ``decision``, ``robot`` (index), ``behavior``
+            (index), ``chosen`` (0: it went on), ``situation`` in words, and one number
+            for each behavior in ``values``, ``probabilities``, ``touches``, ``updates``
+            (all three NaN if not known) and ``reference``; empty without learners.
     """
 
     scenario: Scenario
@@ -38,6 +43,7 @@ class Replay:
     touches: dict[int, tuple[Touch, ...]]
     values: dict[str, tuple[Integers, Floats]]
     credits: Table
+    choices: Table
 
     def __len__(self) -> int:
         return len(self.moments)
@@ -94,6 +100,7 @@ def _replay(tables: dict[str, Table]) -> Replay:
         touches=touches_of(tables.get("touches", {})),
         values={n: (t["decision"], t["scalars"]) for n, t in values.items() if t},
         credits=tables.get("credits", {}),
+        choices=tables.get("choices", {}),
     )
 
 

@@ -2,16 +2,16 @@
 
 import atexit
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
-from household.compiled.arrays import Floats
 from household.replay.blueprint import blueprint
 from household.replay.buffer import FLUSH_EVERY, Buffer
+from household.replay.choices import Choice, Choices
 from household.replay.events import Belief, Events
 from household.replay.moments import send_moments, send_state
 from household.replay.process import open_viewer
@@ -57,7 +57,7 @@ class Recorder:
         self._events = Events(scenario, self._buffer)
         self._total = np.zeros(len(scenario.robots))
         self._situations = Situations(scenario)
-        self._values: dict[str, list[tuple[int, Floats]]] = {}
+        self._choices = Choices(scenario, self._times)
         self._watch, self._written = bool(watch), time.monotonic()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
         target = None if path is None else Path(path)
@@ -90,15 +90,9 @@ class Recorder:
         if buffer.full or (self._watch and self._is_due()):
             self._write()
 
-    def value(self, robot: str, values: Floats) -> None:
-        """Records what a learner expects of each behavior in the present situation.
-
-        Args:
-            robot: Name of the robot.
-            values: Shape (n_behaviors,).
-        """
-        entry = (self._buffer.decision, values)
-        self._values.setdefault(robot, []).append(entry)
+    def choose(self, choice: Choice) -> None:
+        """Records what a learner knows, and does, as of this moment."""
+        self._choices.add(self._buffer.decision, choice)
 
     def believe(self, belief: Belief) -> None:
         """Records what a learner now believes a touch to be about."""
@@ -116,12 +110,13 @@ class Recorder:
     def _write(self) -> None:
         """Gives Rerun everything so far to write while the episode goes on."""
         moments = self._buffer.take()
+        felt = self._events.felt()
         self._events.send(self._stream)
-        self._send_values()
+        self._choices.send(self._stream)
         # After those, so that what a kill leaves of a file has all that belongs to the
         # moments in it.
         if len(moments):
-            send_moments(self._stream, self._scenario, moments, self._total)
+            send_moments(self._stream, self._scenario, moments, self._total, felt)
             self._situations.send(self._stream, moments)
             self._total = self._total + moments.reward.sum(axis=0)
         self._written = time.monotonic()
@@ -138,18 +133,8 @@ class Recorder:
     def _is_due(self) -> bool:
         return time.monotonic() - self._written >= WATCH_EVERY
 
-    def _times(self, decisions: Sequence[int]) -> Times:
+    def _times(self, decisions: Iterable[int]) -> Times:
         return times_of(decisions, self._scenario.decision_period)
-
-    def _send_values(self) -> None:
-        import rerun as rr
-
-        for robot, entries in self._values.items():
-            times = self._times([decision for decision, _ in entries])
-            values = np.array([values for _, values in entries])
-            scalars = rr.Scalars.columns(scalars=values)
-            self._stream.send(f"q/{robot}", times, scalars)
-        self._values.clear()
 
 
 def _address(watch: bool | str) -> str | None:

@@ -10,7 +10,7 @@ from household.compiled.arrays import Mask
 from household.perception.reading import SituationReader
 from household.perception.situation import Situation
 from household.replay.columns import texts
-from household.replay.moments import changes
+from household.replay.rows import changes
 from household.replay.stream import Stream
 from household.scenario.scenario import Scenario
 from household.simulation.moment import Moments

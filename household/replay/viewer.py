@@ -1,6 +1,7 @@
-"""Replays on screen: in the Rerun viewer, as a film, or as a picture."""
+"""Replays on screen: which one, and in the Rerun viewer."""
 
-from collections.abc import Callable, Iterable
+import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import quote
 
@@ -8,12 +9,6 @@ from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
 from household.replay.probing import check_readable
 from household.replay.process import LOOPBACK, address, free_ports, start_viewer
-from household.replay.reading import Replay, read_replay
-from household.simulation.snapshot import Snapshot
-from household.view.painter import SHOWN, SIZE, Painter, load_pygame
-
-FPS = 8
-"""Decisions in a second of film: 8 times real time if a decision takes 1 s."""
 
 
 def recordings(path: Path | str) -> tuple[Path, ...]:
@@ -62,6 +57,36 @@ def choose(
     return numbered[answer]
 
 
+def view_two(
+    one: Path | str,
+    other: Path | str,
+    *,
+    web: bool = False,
+    show: Callable[[str], None] = print,
+) -> None:
+    """Opens two replays of the same home side by side; says where they part.
+
+    Args:
+        one: The file that is shown on the left.
+        other: The one on the right.
+        web: As for `view`.
+        show: Shows a line of text.
+
+    Raises:
+        HouseholdError: As `view`, or if they are of different homes.
+    """
+    from household.replay.comparison import join
+
+    with tempfile.TemporaryDirectory(prefix="household_") as folder:
+        both = Path(folder) / "two_runs.rrd"
+        parted = join(Path(one), Path(other), both)
+        if parted is None:
+            show("They are equal, moment by moment, as long as both last.")
+        else:
+            show(f"{str(parted).capitalize()} (decision {parted.decision}).")
+        _open(both, web=web, show=show)
+
+
 def view(
     path: Path | str, *, web: bool = False, show: Callable[[str], None] = print
 ) -> None:
@@ -76,6 +101,10 @@ def view(
         HouseholdError: If the file is no replay or the viewer does not run.
     """
     check_readable(path)
+    _open(Path(path), web=web, show=show)
+
+
+def _open(path: Path, *, web: bool, show: Callable[[str], None]) -> None:
     page, data = free_ports(2)
     arguments = [f"--port={data}", str(path)]
     if web:
@@ -93,64 +122,3 @@ def view(
             f"the Rerun viewer ended with status {status}; on a machine without a "
             "screen or graphics driver, use the web viewer"
         )
-
-
-def write_png(path: Path | str, out: Path | str, decision: int | None = None) -> None:
-    """Draws a moment of a replay, without a viewer.
-
-    Args:
-        path: The replay.
-        out: The picture to write.
-        decision: Which moment; None: the last.
-
-    Raises:
-        HouseholdError: If there is no such moment, or the extra ``render`` is missing.
-    """
-    check_readable(path)
-    replay = read_replay(path)
-    last = int(replay.moments.decision[-1])
-    chosen = last if decision is None else decision
-    if not 0 <= chosen <= last:
-        raise HouseholdError(f"{path}: no decision {chosen}; allowed: 0 to {last}")
-    painter = Painter(replay.scenario)
-    # Recent touches are still seen in the picture.
-    before = round(SHOWN / replay.scenario.decision_period)
-    for index in range(max(0, chosen - before), chosen):
-        painter.remember(replay.snapshot(index))
-    picture = painter.paint(replay.snapshot(chosen))
-    load_pygame().image.save(picture, str(out))
-
-
-def write_video(
-    path: Path | str,
-    out: Path | str,
-    fps: int = FPS,
-    track: Callable[[Replay], Iterable[Snapshot]] = iter,
-) -> None:
-    """Makes a film of a replay, without a viewer.
-
-    Args:
-        path: The replay.
-        out: The film to write, ends in .mp4.
-        fps: Decisions in a second.
-        track: Goes through the moments, for example to show progress.
-
-    Raises:
-        HouseholdError: If the extra ``render`` is missing.
-    """
-    check_readable(path)
-    replay = read_replay(path)
-    try:
-        from imageio_ffmpeg import write_frames
-    except ImportError:
-        raise HouseholdError(
-            "films need imageio-ffmpeg: pip install 'polite-household[render]'"
-        ) from None
-    painter = Painter(replay.scenario)
-    film = write_frames(str(out), SIZE, fps=fps)
-    film.send(None)
-    try:
-        for moment in track(replay):
-            film.send(painter.pixels(moment))
-    finally:
-        film.close()

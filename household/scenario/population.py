@@ -43,9 +43,9 @@ class Population(Record, frozen=True, kw_only=True):
     clusteredness: Share = 0.0
     reliability: Share = 1.0
 
-    def person(self, index: int) -> np.random.Generator:
+    def person(self, number: int) -> np.random.Generator:
         """The stream that draws one person; adding people changes no other's."""
-        return self._stream(PEOPLE, index)
+        return self._stream(PEOPLE, number)
 
     def cluster(self, index: int) -> np.random.Generator:
         """The stream that draws one cluster's taste."""
@@ -57,7 +57,7 @@ class Population(Record, frozen=True, kw_only=True):
 
 
 def individual(
-    persona: Persona, population: Population, heterogeneity: float, index: int
+    persona: Persona, population: Population, heterogeneity: float, number: int
 ) -> Persona:
     """A persona with the traits of one person.
 
@@ -65,10 +65,10 @@ def individual(
         persona: What kind of person it is.
         population: Draws the traits.
         heterogeneity: How far people differ, in [0, 1].
-        index: Of the person in the household.
+        number: Which person of the population it is.
     """
     # Spawned, so that traits and tastes do not shift each other's draws.
-    rng = population.person(index).spawn(2)[0]
+    rng = population.person(number).spawn(2)[0]
     factors = np.exp(heterogeneity * SPREAD * rng.standard_normal(len(VARIED)))
     traits = {
         name: getattr(persona, name) * float(factor)
@@ -88,7 +88,7 @@ def preferences(
     behaviors: tuple[str, ...],
     population: Population,
     heterogeneity: float,
-    index: int,
+    number: int,
 ) -> Floats:
     """What one person finds polite.
 
@@ -98,12 +98,12 @@ def preferences(
         behaviors: Names in the order of the last axis.
         population: Draws the rest of the taste.
         heterogeneity: Share of the taste in what the person prefers, in [0, 1].
-        index: Of the person in the household.
+        number: Which person of the population it is.
 
     Returns:
         Shape of ``norms``, in [-1, 1].
     """
-    rng = population.person(index).spawn(2)[1]
+    rng = population.person(number).spawn(2)[1]
     cluster = population.cluster(int(rng.integers(population.clusters)))
     shared = cluster.uniform(-1.0, 1.0, norms.shape)
     own = rng.uniform(-1.0, 1.0, norms.shape)

@@ -96,6 +96,8 @@ class PersonSpec(Record, frozen=True, kw_only=True):
         schedule: What the person does by chance, by place; begins with the first.
             Without a script or a schedule, the one that is shipped is followed,
             as far as the home has places for it.
+        number: Which person of the population it is, so that it is the same one
+            wherever it lives; None: the one of its place in the list.
     """
 
     name: PersonName
@@ -103,6 +105,7 @@ class PersonSpec(Record, frozen=True, kw_only=True):
     start: Position | None = None
     script: Annotated[tuple[ScriptStep, ...], FEW] = ()
     schedule: Annotated[dict[Name, Stay], FEW] = msgspec.field(default_factory=dict)
+    number: Annotated[int, msgspec.Meta(ge=0, lt=2**31)] | None = None
 
 
 class RobotSpec(Record, frozen=True, kw_only=True):
@@ -220,7 +223,15 @@ class Scenario(Record, frozen=True, kw_only=True):
     def personas(self) -> tuple[Persona, ...]:
         """Each person's persona with its individual traits, in order."""
         return tuple(
-            individual(persona_of(spec), self.population, self.heterogeneity, index)
+            individual(persona_of(spec), self.population, self.heterogeneity, number)
+            for spec, number in zip(self.people, self.numbers, strict=True)
+        )
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """Which person of the population each person is, in order."""
+        return tuple(
+            index if spec.number is None else spec.number
             for index, spec in enumerate(self.people)
         )
 

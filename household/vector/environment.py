@@ -10,6 +10,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
+from household.arguments import checked_count
 from household.compiled.arrays import Floats, Integers, Mask, Singles
 from household.errors import HouseholdError, shown
 from household.household_v0 import make_minds as usual_minds
@@ -65,12 +66,8 @@ def make(
     several = [scenario] if isinstance(scenario, str | Path | Scenario) else scenario
     if not several:
         raise HouseholdError("scenario: none; allowed: one or more")
-    n = len(several) if homes is None else homes
-    for name, number, least in (("homes", n, 1), ("workers", workers, 0)):
-        if not isinstance(number, int) or number < least:
-            raise HouseholdError(
-                f"{name}: {shown(number)}; allowed: whole numbers from {least} up"
-            )
+    n = checked_count("homes", len(several) if homes is None else homes, 1)
+    workers = checked_count("workers", workers, 0)
     loaded = [load_scenario(each, **overrides) for each in several[:n]]
     scenarios = tuple(loaded[home % len(loaded)] for home in range(n))
     plan = Plan(scenarios, make_minds, common_frame(scenarios))
@@ -105,6 +102,8 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         "render_modes": [],
         "autoreset_mode": AutoresetMode.SAME_STEP,
     }
+    autoreset_mode = AutoresetMode.SAME_STEP
+    """As Gymnasium's own vector environments have it, and TorchRL asks for."""
 
     def __init__(
         self, plan: Plan, *, workers: int, seed: int | None, copy: bool
@@ -240,6 +239,17 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
                 f"allowed: 0 to {most}"
             )
         return chosen
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Is asked by `copy` and pickle.
+
+        Raises:
+            HouseholdError: Always; homes share memory with each other and with workers.
+        """
+        raise HouseholdError(
+            "a vector environment cannot be copied or pickled; "
+            "household_v0.parallel_env can, in mid-episode"
+        )
 
     def __repr__(self) -> str:
         kinds = dict.fromkeys(scenario.name for scenario in self.scenarios)

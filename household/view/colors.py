@@ -1,5 +1,7 @@
 """Colors of pictures and replays, chosen for the color-blind as well."""
 
+from collections.abc import Sequence
+from itertools import cycle
 from types import MappingProxyType
 
 import numpy as np
@@ -22,27 +24,48 @@ ACTIVITY_COLORS = MappingProxyType(
         Activity.UNKNOWN: "#aaaaaa",
     }
 )
-"""Dark enough for text (after Okabe and Ito)."""
+"""Of regions on floor plans; dark enough for text (after Okabe and Ito)."""
 
-ACTIVITIES = [ACTIVITY_COLORS[activity] for activity in Activity]
-"""The same in the order of the activities' values."""
-
-BEHAVIORS = (
-    "#e69f00",
-    "#56b4e9",
-    "#cc79a7",
-    "#f0e442",
-    "#00b28a",
-    "#d55e00",
-    "#0072b2",
-    "#9a9a9a",
-    "#8c564b",
-    "#a6d854",
-    "#8da0cb",
-    "#b3589a",
+BEHAVIOR_COLORS = MappingProxyType(
+    {
+        "bark": "#d55e00",
+        "play": "#0072b2",
+        "sleep": "#00795a",
+        "say_hello": "#9a4d80",
+        "follow": "#56b4e9",
+        "vacuum": "#e69f00",
+        "fetch": "#8c564b",
+        "ask": "#b3a125",
+        "retreat": "#7f7f7f",
+    }
 )
-"""Of robots' behaviors in the order of their indices, repeated if there are more; the
-first are those of Okabe and Ito."""
+"""Of the shipped behaviors by name, in every scenario, replay, picture and figure;
+after Okabe and Ito."""
+
+OTHER_BEHAVIORS = ("#8da0cb", "#66a61e", "#e78ac3", "#1b1f24", "#a6761d")
+"""Of users' own behaviors in the order of their indices, repeated if there are more."""
+
+PEOPLE = (
+    "#332288",
+    "#cc6677",
+    "#117733",
+    "#ee7733",
+    "#4477aa",
+    "#882255",
+    "#44aa99",
+    "#999933",
+    "#aa4499",
+    "#88ccee",
+    "#ddcc77",
+    "#555555",
+)
+"""Of people in their order, repeated if there are more; most are Tol's muted ones."""
+
+ROBOTS = ("#1a85ff", "#d41159", "#ffc20a", "#40b0a6", "#5d3a9b", "#994f00")
+"""Of robots in their order, repeated if there are more."""
+
+INK = "#1b1f24"
+"""Of text: on white paper, and on the labels of the viewer, dark and light."""
 
 CARESS, TAP = "#1a9850", "#d73027"
 BELIEVED, TRUE = "#ffb000", "#3ddc84"
@@ -58,12 +81,39 @@ def rgb(color: str) -> tuple[int, int, int]:
     return value >> 16, value >> 8 & 255, value & 255
 
 
-def behavior_color(behavior: int) -> str:
-    """The color of a behavior, or of none (-1)."""
-    return IDLE if behavior < 0 else BEHAVIORS[behavior % len(BEHAVIORS)]
+def behavior_colors(behaviors: Sequence[str]) -> list[str]:
+    """The color of each behavior of a household, by name."""
+    others = cycle(OTHER_BEHAVIORS)
+    return [BEHAVIOR_COLORS.get(name) or next(others) for name in behaviors]
 
 
-def packed(colors: list[str], alpha: int = 255) -> NDArray[np.uint32]:
+def people_colors(count: int) -> list[str]:
+    """The color of each person."""
+    return [PEOPLE[i % len(PEOPLE)] for i in range(count)]
+
+
+def robot_colors(count: int) -> list[str]:
+    """The color of each robot."""
+    return [ROBOTS[i % len(ROBOTS)] for i in range(count)]
+
+
+def ink_on(color: str) -> str:
+    """Black or white, whatever is easier to read on a color."""
+    red, green, blue = rgb(color)
+    return INK if 0.3 * red + 0.59 * green + 0.11 * blue > 140 else "#ffffff"
+
+
+def shades(color: str, count: int) -> list[str]:
+    """Tints of a color, from itself to a paler one, to tell values of a thing apart."""
+    tints = []
+    for i in range(count):
+        white = 0.55 * i / max(1, count - 1)
+        mixed = [round(c + (255 - c) * white) for c in rgb(color)]
+        tints.append("#{:02x}{:02x}{:02x}".format(*mixed))
+    return tints
+
+
+def packed(colors: Sequence[str], alpha: int = 255) -> NDArray[np.uint32]:
     """Colors as Rerun packs them, 0xRRGGBBAA."""
     return np.array(
         [int(c.removeprefix("#"), 16) << 8 | alpha for c in colors], dtype=np.uint32

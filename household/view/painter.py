@@ -1,4 +1,4 @@
-"""Rendering: a household as a picture of 640 x 480 pixels, with pygame.
+"""Rendering: a household as a picture of pixels, with pygame.
 
 Only snapshots are drawn, so that a replay file is rendered as its episode was.
 """
@@ -9,30 +9,46 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from household.activity import ACTIVITY_NAMES, Activity
 from household.compiled.arrays import Floats
 from household.errors import HouseholdError
 from household.scenario.scenario import Scenario
 from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import Snapshot
-from household.view.colors import ACTIVITIES, CARESS, TAP, behavior_color, rgb
+from household.view.colors import (
+    CARESS,
+    IDLE,
+    TAP,
+    behavior_colors,
+    ink_on,
+    people_colors,
+    rgb,
+    robot_colors,
+)
 from household.view.cone import gaze_cones
 from household.view.floorplan_svg import size_of
+from household.view.labels import place_labels
 from household.view.raster import rasterize
+from household.view.signs import SIGNS
 
 if TYPE_CHECKING:
     import pygame
 
 SIZE = (640, 480)
-"""Width and height of every picture [pixels]."""
+"""Width and height of pictures, unless asked for otherwise [pixels]."""
 
 CAPTION = 22
-"""Height of the line of text below the plan [pixels]."""
+"""Height of the line of text below the plan, in pictures of `SIZE` [pixels]."""
 
 SHOWN = 3.0
 """How long a touch stays visible [s]."""
 
-INK, PAPER = (30, 30, 30), (255, 255, 255)
+BODY, PAPER = (30, 30, 30), (255, 255, 255)
+
+SIGN = 0.62
+"""Size of the sign in a person's body, as a share of its radius."""
+
+PAD = (6, 2)
+"""By how much the background of a text is larger than the text [pixels]."""
 
 Point = tuple[float, float]
 
@@ -57,42 +73,48 @@ class Painter:
 
     Args:
         scenario: The household.
+        size: Width and height of the pictures [pixels].
 
     Raises:
         HouseholdError: If pygame is not installed.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(self, scenario: Scenario, size: tuple[int, int] = SIZE) -> None:
         self._pygame = load_pygame()
-        self._pygame.font.init()
         self._scenario = scenario
         self._radii = (PERSON_RADIUS, ROBOT_RADIUS)
+        self._behaviors = behavior_colors(scenario.behaviors)
+        people, robots = len(scenario.people), len(scenario.robots)
+        self._colors = [rgb(c) for c in people_colors(people) + robot_colors(robots)]
         width, height = size_of(scenario.plan)
-        scale = min(SIZE[0] / width, (SIZE[1] - CAPTION) / height)
+        self._size, self._unit = size, min(size[0] / SIZE[0], size[1] / SIZE[1])
+        self._caption = round(CAPTION * self._unit)
+        scale = min(size[0] / width, (size[1] - self._caption) / height)
         self._raster = rasterize(scenario.plan, float(scale))
         pixels = self._raster.pixels.swapaxes(0, 1)
         self._home = self._pygame.surfarray.make_surface(pixels)
-        self._margin = (SIZE[0] - self._home.get_width()) / 2
-        self._font = self._pygame.font.Font(_font_path(), 11)
+        self._margin = (size[0] - self._home.get_width()) / 2
+        self._font = font(11 * self._unit)
         self._recent: dict[str, tuple[float, Point, str]] = {}
 
     def paint(self, snapshot: Snapshot) -> "pygame.Surface":
         """A picture of a moment; touches stay visible for a while."""
-        surface = self._pygame.Surface(SIZE)
+        surface = self._pygame.Surface(self._size)
         surface.fill(PAPER)
         surface.blit(self._home, (self._margin, 0))
         self.remember(snapshot)
         self._draw_gazes(surface, snapshot)
-        self._draw_people(surface, snapshot)
-        self._draw_robots(surface, snapshot)
+        self._draw_bodies(surface, snapshot)
         self._draw_touches(surface)
+        self._draw_words(surface, snapshot)
         caption = f"{self._scenario.name}    {snapshot.time:.0f} s"
         text = f"{caption}    decision {snapshot.decision}"
-        surface.blit(self._font.render(text, True, INK), (8, SIZE[1] - CAPTION + 4))
+        at = 8 * self._unit, self._size[1] - self._caption + 4 * self._unit
+        surface.blit(self._font.render(text, True, BODY), at)
         return surface
 
     def pixels(self, snapshot: Snapshot) -> NDArray[np.uint8]:
-        """The same as an array of shape (480, 640, 3)."""
+        """The same as an array of shape (height, width, 3)."""
         picture = self._pygame.surfarray.array3d(self.paint(snapshot))
         frame: NDArray[np.uint8] = np.ascontiguousarray(picture.swapaxes(0, 1))
         return frame
@@ -126,38 +148,76 @@ class Painter:
             self._scenario.plan.opaque_segments,
             self._scenario.perception.distance,
         )[0]
-        layer = self._pygame.Surface(SIZE, self._pygame.SRCALPHA)
-        for outline, role in zip(cones, snapshot.activity, strict=True):
-            color = rgb(ACTIVITIES[role])
+        layer = self._pygame.Surface(self._size, self._pygame.SRCALPHA)
+        for outline, color in zip(cones, self._colors, strict=False):
             points = [self._at(point) for point in outline]
             self._pygame.draw.polygon(layer, (*color, 45), points)
             self._pygame.draw.aalines(layer, (*color, 150), True, points)
         surface.blit(layer, (0, 0))
 
-    def _draw_people(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
-        for i, name in enumerate(self._scenario.person_names):
-            role = int(snapshot.activity[i])
-            self._draw_body(surface, snapshot, i, ACTIVITIES[role])
-            known = role != Activity.UNKNOWN
-            text = f"{name}: {ACTIVITY_NAMES[role]}" if known else name
-            text += " (eyes closed)" if snapshot.half_view[i] < 0 else ""
-            below = (0.0, self._radii[0] * self._raster.scale)
-            self._write(surface, text, self._at(snapshot.position[i]), below)
+    def _draw_bodies(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        n = len(self._scenario.people)
+        for i in range(n):
+            self._draw_body(surface, snapshot, i, self._colors[i])
+            self._draw_sign(surface, snapshot, i)
+        for j, doing in enumerate(snapshot.behavior.tolist()):
+            color = rgb(self._behaviors[doing] if doing >= 0 else IDLE)
+            self._draw_body(surface, snapshot, n + j, color)
 
-    def _draw_robots(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
-        first = len(self._scenario.people)
-        for j, name in enumerate(self._scenario.robot_names):
-            doing = int(snapshot.behavior[j])
-            self._draw_body(surface, snapshot, first + j, behavior_color(doing))
-            word = self._scenario.behaviors[doing] if doing >= 0 else "-"
-            below = (0.0, self._radii[1] * self._raster.scale)
-            at = self._at(snapshot.position[first + j])
-            self._write(surface, f"{name}: {word}", at, below)
+    def _draw_words(self, surface: "pygame.Surface", snapshot: Snapshot) -> None:
+        """Names, and the kinds of touches, where they cover least."""
+        labels = self.words(snapshot)
+        scale, raster = self._raster.scale, self._raster
+        size = np.add([self._font.size(text) for text, _, _, _ in labels], PAD) / scale
+        left, top = raster.left - self._margin / scale, raster.top
+        width, height = self._size[0], self._size[1] - self._caption
+        right, bottom = left + width / scale, top - height / scale
+        centers = place_labels(
+            np.array([[spot for _, spot, _, _ in labels]]),
+            np.array([radius for _, _, radius, _ in labels]),
+            size[None],
+            np.array([left, bottom, right, top]),
+        )[0]
+        for (text, _, _, color), center in zip(labels, centers, strict=True):
+            self._write(surface, text, self._at(center), color)
+
+    def words(
+        self, snapshot: Snapshot
+    ) -> list[tuple[str, Point, float, tuple[int, int, int]]]:
+        """What is written: the text, of what, how large that is [m], and its color."""
+        scenario, n = self._scenario, len(self._scenario.people)
+        texts = [*scenario.person_names, *self._robot_texts(snapshot)]
+        spots = [(float(x), float(y)) for x, y in snapshot.position]
+        labels = [
+            (text, spot, self._radii[i >= n], BODY)
+            for i, (text, spot) in enumerate(zip(texts, spots, strict=True))
+        ]
+        for robot, (_, _, kind) in self._recent.items():
+            spot = spots[n + scenario.robot_names.index(robot)]
+            labels.append((kind, spot, 1.8 * ROBOT_RADIUS, _touch_color(kind)))
+        return labels
+
+    def _robot_texts(self, snapshot: Snapshot) -> list[str]:
+        behaviors = [*self._scenario.behaviors, "-"]  # Before the first choice.
+        pairs = zip(self._scenario.robot_names, snapshot.behavior.tolist(), strict=True)
+        return [f"{name}: {behaviors[doing]}" for name, doing in pairs]
+
+    def _draw_sign(self, surface: "pygame.Surface", snapshot: Snapshot, i: int) -> None:
+        """What a person does, as a line drawing on its body."""
+        sign = SIGN * self._radii[0] * SIGNS[snapshot.activity[i]]
+        points = [self._at(point) for point in sign + snapshot.position[i]]
+        ink = rgb(ink_on(people_colors(i + 1)[i]))
+        width = max(1, round(2 * self._unit))
+        self._pygame.draw.lines(surface, ink, False, points, width)
 
     def _draw_body(
-        self, surface: "pygame.Surface", snapshot: Snapshot, i: int, color: str
+        self,
+        surface: "pygame.Surface",
+        snapshot: Snapshot,
+        i: int,
+        color: tuple[int, int, int],
     ) -> None:
-        """A disc with a nose where the head points; a robot has a square in it."""
+        """A disc with a nose where the head points; a robot's own color is in it."""
         draw, robot = self._pygame.draw, i >= len(self._scenario.people)
         at = self._at(snapshot.position[i])
         radius = self._radii[robot] * self._raster.scale
@@ -166,38 +226,39 @@ class Painter:
             at[0] + 1.5 * radius * np.cos(angle),
             at[1] - 1.5 * radius * np.sin(angle),
         )
-        draw.line(surface, INK, at, nose, 4)
-        draw.aacircle(surface, INK, at, radius + 1.5)
-        draw.aacircle(surface, rgb(color), at, radius)
+        draw.line(surface, BODY, at, nose, max(2, round(4 * self._unit)))
+        draw.aacircle(surface, BODY, at, radius + 1.5)
+        draw.aacircle(surface, color, at, radius)
         if robot:
             side = radius * 0.8
             box = (at[0] - side / 2, at[1] - side / 2, side, side)
-            draw.rect(surface, INK, box, 2)
+            draw.rect(surface, self._colors[i], box)
+            draw.rect(surface, BODY, box, 1)
 
     def _draw_touches(self, surface: "pygame.Surface") -> None:
-        """A ring around the robot and a word, green for a caress, red for a tap."""
+        """A ring where a robot was touched, green for a caress, red for a tap."""
+        radius = self._radii[1] * self._raster.scale + 7
         for _, spot, kind in self._recent.values():
-            color = rgb(CARESS if kind == "caress" else TAP)
-            radius = self._radii[1] * self._raster.scale + 7
-            self._pygame.draw.aacircle(surface, color, spot, radius, 4)
-            self._write(surface, kind, spot, (0.0, -radius - 16), color)
+            self._pygame.draw.aacircle(surface, _touch_color(kind), spot, radius, 4)
 
     def _write(
         self,
         surface: "pygame.Surface",
         text: str,
         at: Point,
-        offset: Point,
-        color: tuple[int, int, int] = INK,
+        color: tuple[int, int, int],
     ) -> None:
         """Writes text on a light background, centered, inside the picture."""
         words = self._font.render(text, True, color)
-        box = words.get_rect(midtop=(at[0] + offset[0], at[1] + offset[1] + 3))
-        box.clamp_ip(surface.get_rect())
-        ground = self._pygame.Surface(box.inflate(6, 2).size, self._pygame.SRCALPHA)
+        box = words.get_rect(center=at)
+        ground = self._pygame.Surface(box.inflate(PAD).size, self._pygame.SRCALPHA)
         ground.fill((255, 255, 255, 200))
-        surface.blit(ground, box.inflate(6, 2))
+        surface.blit(ground, box.inflate(PAD))
         surface.blit(words, box)
+
+
+def _touch_color(kind: str) -> tuple[int, int, int]:
+    return rgb(CARESS if kind == "caress" else TAP)
 
 
 class Screen:
@@ -235,8 +296,15 @@ class Screen:
             self._pygame.display.quit()
 
 
-def _font_path() -> str:
-    """A font of Matplotlib's, as pygame's own is hard to read when small."""
+def font(height: float) -> "pygame.font.Font":
+    """A font of Matplotlib's, as pygame's own is hard to read when small.
+
+    Args:
+        height: Of its letters [pixels].
+    """
     from matplotlib.font_manager import findfont
 
-    return str(findfont("DejaVu Sans"))
+    loaded = load_pygame()
+    loaded.font.init()
+    letters: pygame.font.Font = loaded.font.Font(findfont("DejaVu Sans"), round(height))
+    return letters

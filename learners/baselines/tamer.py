@@ -55,8 +55,8 @@ class Tamer(CreditedLearner):
                 self._descend(credit.reward.value, shares)
 
     def _descend(self, felt: float, shares: Sequence[tuple[Cell, int, float]]) -> None:
-        predicted = added(w * self.memory.value(cell, b) for cell, b, w in shares)
-        error = felt - predicted
+        read = added(w * self.memory.value(cell, b) for cell, b, w in shares)
+        error = felt - read / self.memory.n_levels
         for cell, behavior, weight in shares:
             target = cell.row.values[behavior] + error
             self.memory.move(cell, behavior, target, self.step * weight, weight)

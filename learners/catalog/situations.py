@@ -7,7 +7,13 @@ from learners.expectation import ExpectedTouch
 from learners.exploration import Softmax
 from learners.pooling import HierarchicalPooling
 from learners.qlearner import QLearner
-from learners.representation import AudibleViews, Canonical, Nameless, Views
+from learners.representation import (
+    AudibleViews,
+    Canonical,
+    Nameless,
+    NestedViews,
+    Views,
+)
 
 
 def rates_of_people() -> HierarchicalPooling:
@@ -82,6 +88,17 @@ SITUATIONS: Recipes = {
             "credit": Designated(),
             "counts": "exposures",
             "representation": AudibleViews(),
+            "pooling": rates_of_people(),
+            "exploration": Softmax(temperature=0.03),
+        },
+    ),
+    "nested_views": Recipe(
+        summary="the same in full and by role alone, so that new views are not blank",
+        kind=ExpectedTouch,
+        components=lambda: {
+            "credit": Designated(),
+            "counts": "exposures",
+            "representation": NestedViews(),
             "pooling": rates_of_people(),
             "exploration": Softmax(temperature=0.03),
         },

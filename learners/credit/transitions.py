@@ -41,13 +41,3 @@ class SituationNetwork:
         if not followers:
             return 0.0
         return followers.get(next_state, 0) / sum(followers.values())
-
-    def predict(self, state: Hashable, action: int) -> dict[Hashable, float]:
-        """Possible next situations with their probabilities, likeliest first.
-
-        Empty if the pair was never seen.
-        """
-        followers = self.counts.get((state, action), {})
-        total = sum(followers.values())
-        ranked = sorted(followers.items(), key=lambda item: -item[1])
-        return {next_state: count / total for next_state, count in ranked}

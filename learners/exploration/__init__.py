@@ -1,5 +1,6 @@
 """Exploration: how a behavior is chosen from what is known of each."""
 
+from learners.exploration.chances import chances
 from learners.exploration.rules import (
     EpsilonGreedy,
     Estimates,
@@ -22,6 +23,7 @@ __all__ = [
     "Thompson",
     "UpperConfidence",
     "best",
+    "chances",
     "draw",
     "softmax",
 ]

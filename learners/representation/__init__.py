@@ -9,6 +9,7 @@ from learners.representation.situations import (
 )
 from learners.representation.views import (
     AudibleViews,
+    NestedViews,
     PersonViews,
     Views,
     ViewSet,
@@ -20,6 +21,7 @@ __all__ = [
     "MarkedSituations",
     "Named",
     "Nameless",
+    "NestedViews",
     "Part",
     "PersonViews",
     "Representation",

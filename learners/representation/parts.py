@@ -8,6 +8,8 @@ from typing import ClassVar, NamedTuple
 class Part(NamedTuple):
     """What is learned together; the value of a situation is the sum over its parts.
 
+    Where there are several levels of detail, it is the mean of those sums.
+
     Attributes:
         key: what is to be told from other parts.
         person: whose part it is, by name; None for a part of no single person. What is
@@ -25,7 +27,12 @@ class Representation(ABC):
     """Takes situations apart; users add their own by implementing `parts`."""
 
     by_person: ClassVar[bool] = False
-    """Whether parts belong to people; then a touch teaches its giver's part alone."""
+    """Whether parts belong to people; then a touch teaches its giver's parts alone."""
+
+    @property
+    def n_levels(self) -> int:
+        """How many parts a person has, each for another level of detail."""
+        return 1
 
     @abstractmethod
     def parts(self, state: Hashable) -> tuple[Part, ...]:

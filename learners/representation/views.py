@@ -95,6 +95,38 @@ class AudibleViews(Views):
 
 @saved
 @dataclass(frozen=True, kw_only=True)
+class NestedViews(AudibleViews):
+    """Audible views in full and, beside them, with fewer relations.
+
+    What few relations tell is soon learned, and serves where a view is new; what only
+    the full view tells is learned as well. What is read is the mean of all levels
+    (coarse coding: Sutton & Barto 2018, "Reinforcement learning", section 9.5.3).
+
+    Attributes:
+        coarser: the relations of each further level.
+    """
+
+    coarser: tuple[tuple[str, ...], ...] = (("plays",),)
+
+    @property
+    def n_levels(self) -> int:
+        """The full views and the coarser ones."""
+        return 1 + len(self.coarser)
+
+    def parts(self, state: Hashable) -> tuple[Part, ...]:
+        """The views of each who perceives the robot: in full, then the coarser ones."""
+        levels = self.relations, *self.coarser
+        return tuple(
+            # With its level, as a view may lack what is left out elsewhere.
+            Part((level, each.view), person)
+            for person, view in as_viewed(state).views()
+            for level, relations in enumerate(levels)
+            if (each := look(view, relations)).perceives
+        )
+
+
+@saved
+@dataclass(frozen=True, kw_only=True)
 class PersonViews(Views):
     """Everybody's view with the name in it: nothing is carried from one to another."""
 

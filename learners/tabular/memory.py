@@ -34,7 +34,7 @@ class Seen:
         own: of each cell, what is read of itself.
         pull: of each cell, how far it is drawn to its population.
         mean: of each cell, the mean of its population.
-        people: cells by person.
+        people: cells by person, one for each level of detail.
     """
 
     __slots__ = ("cells", "heard", "mean", "own", "people", "pull")
@@ -46,7 +46,7 @@ class Seen:
         self.own = [cell.own for cell in cells]
         self.pull = [cell.pull for cell in cells]
         self.mean: list[list[float]] = []
-        self.people: dict[Hashable, Cell] = {}
+        self.people: dict[Hashable, tuple[Cell, ...]] = {}
 
 
 _NEVER = object()  # a state that is never met
@@ -70,6 +70,7 @@ class Memory:
         self._representation = representation
         self._pooling = pooling
         self._by_person = representation.by_person
+        self.n_levels = representation.n_levels
         self._adaptive = pooling if isinstance(pooling, AdaptivePooling) else None
         self._seen: dict[Hashable, Seen] = {}
         self._cells: dict[Hashable, Cell] = {}
@@ -98,8 +99,7 @@ class Memory:
         seen = self.seen(state)
         if not self._by_person:
             return seen.cells
-        cell = seen.people.get(giver)
-        return () if cell is None else (cell,)
+        return seen.people.get(giver, ())
 
     def alike(self, state: Hashable, cell: Cell) -> tuple[Cell, ...]:
         """The cells of another state that stand where this one stands in its own."""
@@ -109,7 +109,7 @@ class Memory:
         return tuple(each for each in cells if each.key == cell.key)
 
     def values(self, state: Hashable) -> Sequence[float]:
-        """Value of each behavior, the sum over parts; for reading only."""
+        """Value of each behavior, summed over parts of a level; for reading only."""
         seen = self.seen(state)
         if not self._by_person:
             return seen.cells[0].row.values
@@ -118,10 +118,11 @@ class Memory:
         if self._adaptive is not None:
             self._adapt(seen.cells)
         own, pull, mean = zip(*seen.own), zip(*seen.pull), zip(*seen.mean)  # noqa: B905
-        return [
+        found = [
             added(map(add, o, map(mul, p, m)))
             for o, p, m in zip(own, pull, mean)  # noqa: B905 - strictness takes time
         ]
+        return self._mean(found)
 
     def visits(self, state: Hashable) -> Sequence[float]:
         """Visits behind those values: one's own, others' as far as one is pulled."""
@@ -134,7 +135,7 @@ class Memory:
             for a, (n, pull) in enumerate(zip(cell.row.visits, cell.pull, strict=True)):
                 others = cell.population.visits(a) - n if pull else 0.0
                 found[a] += n + pull * others
-        return found
+        return self._mean(found)
 
     def deviations(self, state: Hashable) -> Sequence[float]:
         """Standard deviation of the posterior of each value."""
@@ -146,13 +147,18 @@ class Memory:
             between * added(pull) + added(map(mul, map(mul, pull, pull), variance))
             for pull, variance in zip(pulls, common, strict=True)
         ]
-        return [variance**0.5 for variance in found] or self._zeros()
+        deviations = [variance**0.5 for variance in found] or self._zeros()
+        return self._mean(deviations)
 
     def parts(self, state: Hashable, action: int, cells: Sequence[Cell]) -> list[float]:
         """What the people of some cells have for a part in the value of a behavior."""
         people = self.seen(state).people
-        found = [people.get(cell.person) for cell in cells]
-        return [0.0 if cell is None else self.value(cell, action) for cell in found]
+        found = [people.get(cell.person, ()) for cell in cells]
+        return [self.expected(own, action) for own in found]
+
+    def expected(self, own: Sequence[Cell], action: int) -> float:
+        """What is expected of a person, the mean over its cells; 0 without any."""
+        return added(self.value(cell, action) for cell in own) / self.n_levels
 
     def value(self, cell: Cell, action: int) -> float:
         """What is read of one cell."""
@@ -178,6 +184,11 @@ class Memory:
             expected = cell.population.others(cell, action)
             if expected is not None:
                 self._adaptive.compare(cell.person, value, expected, weight)
+
+    def _mean(self, sums: list[float]) -> list[float]:
+        """Of sums over all cells, the mean over levels."""
+        levels = self.n_levels
+        return sums if levels == 1 else [each / levels for each in sums]
 
     def _zeros(self) -> list[float]:
         return [0.0] * self.table.n_behaviors
@@ -205,7 +216,9 @@ class Memory:
         seen = Seen(cells, cells if len(heard) == len(cells) else heard)
         if self._by_person:
             seen.mean = [cell.population.mean for cell in cells]
-            seen.people = {cell.person: cell for cell in cells}
+            for cell in cells:
+                known = seen.people.get(cell.person, ())
+                seen.people[cell.person] = (*known, cell)
         return seen
 
     def _cell(self, key: Hashable, person: Hashable) -> Cell:

@@ -58,12 +58,17 @@ class QTable:
         initial: value of a pair never updated.
         updates: number of updates so far, however many rows each moved: t of the
             synchronous rate. Whoever moves values counts them.
+        silent: of the visits of each row, those without a touch, where a learner counts
+            them apart; rows that it never counted are missing.
     """
 
     n_behaviors: int
     initial: float = 0.0
     updates: int = field(default=0, init=False)
     rows: dict[Hashable, Row] = field(default_factory=dict, init=False, repr=False)
+    silent: dict[Hashable, list[float]] = field(
+        default_factory=dict, init=False, repr=False
+    )
 
     def __post_init__(self) -> None:
         check_whole("n_behaviors", self.n_behaviors, 1, 3 * MOST_BEHAVIORS)
@@ -95,6 +100,10 @@ class QTable:
         )
         return row
 
+    def silences(self, state: Hashable) -> list[float]:
+        """Visits of a state's pairs without a touch, to be written, too."""
+        return self.silent.setdefault(state, [0.0] * self.n_behaviors)
+
     def array(self, state: Hashable) -> NDArray[np.float64]:
         """Values of a state, shape (n_behaviors,); a copy."""
         return np.array(self.row(state).values)
@@ -106,6 +115,7 @@ class QTable:
             "initial": self.initial,
             "updates": self.updates,
             "rows": {state: tuple(row) for state, row in self.rows.items()},
+            "silent": self.silent,
         }
 
     @classmethod
@@ -114,11 +124,24 @@ class QTable:
         table = cls(n_behaviors=data["n_behaviors"], initial=data["initial"])
         table.updates = data["updates"]
         table.rows = {state: Row(*row) for state, row in data["rows"].items()}
+        table.silent = data.get("silent", {})  # files of before have none
         check_whole("updates", table.updates, 0, 2**63)
         for values, visits in table.rows.values():
-            if not len(values) == len(visits) == table.n_behaviors:
-                raise SavedFileError("a row of a table is not as long as the others")
-            for value, visit in zip(values, visits, strict=True):
+            _check_visits(visits, table.n_behaviors)
+            _check_length(values, table.n_behaviors)
+            for value in values:
                 check_range("a value", value, -MOST_VALUE, MOST_VALUE)
-                check_range("a visit", visit, 0.0, MOST_VISITS)
+        for visits in table.silent.values():
+            _check_visits(visits, table.n_behaviors)
         return table
+
+
+def _check_length(row: Sequence[float], n_behaviors: int) -> None:
+    if len(row) != n_behaviors:
+        raise SavedFileError("a row of a table is not as long as the others")
+
+
+def _check_visits(visits: Sequence[float], n_behaviors: int) -> None:
+    _check_length(visits, n_behaviors)
+    for visit in visits:
+        check_range("a visit", visit, 0.0, MOST_VISITS)

@@ -79,13 +79,16 @@ class FeedbackGiving(Stateful):
         )
         self.changed = self._state.changed
         self.target = self._state.target
-        self._consider = bind(_consider, self._state, traits_of(personas))
+        self._traits = traits_of(personas)
+        self._percepts: Percepts | None = None
 
     def consider(self, percepts: Percepts) -> None:
         """Takes in what was perceived: forms, keeps, fulfills or drops wishes."""
-        anybody = self._consider(
-            percepts.appraisals, percepts.condition, percepts.period, self._draws.next()
-        )
+        if percepts is not self._percepts:  # Mostly the same, and bound once.
+            self._percepts = percepts
+            known = self._state, self._traits, percepts.appraisals, percepts.condition
+            self._consider = bind(_consider, *known)
+        anybody = self._consider(percepts.period, self._draws.next())
         if anybody:
             for i in self.changed.nonzero()[0].tolist():
                 self.wishes[i] = self._wish(i, percepts)

@@ -86,7 +86,9 @@ class Gaze(Stateful):
         )
         self.look = self._state.look
         self.eyes_open = self._state.eyes_open
-        self._turn = bind(_turn, self._state, traits_of(personas))
+        self._traits = traits_of(personas)
+        self._percepts: Percepts | None = None
+        self._aims: Aims | None = None
 
     def turn(self, percepts: Percepts, aims: Aims) -> None:
         """Turns everybody's gaze.
@@ -95,13 +97,12 @@ class Gaze(Stateful):
             percepts: What everybody perceives.
             aims: What people look at for a reason.
         """
-        self._turn(
-            percepts.condition,
-            percepts.surroundings,
-            aims,
-            percepts.period,
-            self._draws.next(),
-        )
+        # Mostly the same ones, and bound once.
+        if percepts is not self._percepts or aims is not self._aims:
+            self._percepts, self._aims = percepts, aims
+            known = self._state, self._traits, percepts.condition, percepts.surroundings
+            self._turn = bind(_turn, *known, aims)
+        self._turn(percepts.period, self._draws.next())
 
 
 @compiled

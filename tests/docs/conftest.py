@@ -6,13 +6,13 @@ import pytest
 from markdown_it import MarkdownIt
 
 ROOT = Path(__file__).parents[2]
-PAGES = (ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted(ROOT.glob("docs/*.md")))
+PAGES = (ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted(ROOT.glob("docs/**/*.md")))
 
 
 def pytest_generate_tests(metafunc):
     """A test that asks for a ``page`` runs once for each of them."""
     if "page" in metafunc.fixturenames:
-        names = [path.name for path in PAGES]
+        names = [str(path.relative_to(ROOT)) for path in PAGES]
         metafunc.parametrize("page", PAGES, ids=names, scope="module")
 
 

@@ -47,9 +47,10 @@ def test_links_lead_to_files_and_headings_that_are_there(page, targets, anchors)
 def test_every_page_and_picture_of_the_documentation_is_linked_to(root, tokens):
     """So that a reader of the README finds each of them."""
     linked = set()
-    for page in (root / "README.md", *root.glob("docs/*.md")):
+    for page in (root / "README.md", *root.glob("docs/**/*.md")):
         for token in tokens(page):
             target = str(token.attrs.get("href") or token.attrs.get("src") or "")
             linked.add((page.parent / target.partition("#")[0]).resolve())
-    files = {path for path in (root / "docs").rglob("*") if path.is_file()}
+    kinds = (".md", ".svg", ".png", ".gif", ".mp4", ".webp")
+    files = {path for path in (root / "docs").rglob("*") if path.suffix in kinds}
     assert {path.name for path in files - linked} == set()

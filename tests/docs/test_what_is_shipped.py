@@ -30,3 +30,16 @@ def test_every_home_is_described_with_its_picture(read):
 def test_the_table_of_personas_lists_exactly_those_that_are_shipped(read):
     listed = re.findall(r"^\| (\w+) \| \d", read("people.md"), re.MULTILINE)
     assert listed == list(shipped("persona"))
+
+
+def test_the_readme_shows_results_as_they_are_stored(root, read):
+    text = (root / "README.md").read_text("utf-8").replace("**", "")
+    glance = text.partition("## Results at a glance")[2].partition("\n## ")[0]
+    shown = re.findall(r"-?\d\.\d\d \[-?\d\.\d\d, -?\d\.\d\d\]", glance)
+    assert len(shown) >= 8
+    stored = read("many_people.md")
+    assert [estimate for estimate in shown if estimate not in stored] == []
+    (claims, held) = re.findall(r"Of (\d+) claims of the paper (\d+) come out", glance)[
+        0
+    ]
+    assert f"{held} of {claims} claims hold" in read("results.md")

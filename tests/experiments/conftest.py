@@ -140,6 +140,9 @@ class PlayHome:
         cause = ToyCause("robot_0", self.begun, self.doing, float(self.begun))
         return tuple(cause for _ in self.feedback(agent))
 
+    def approached(self, agent):
+        return False
+
     def attended(self, agent):
         return self.looking
 

@@ -56,7 +56,12 @@ def say(capsys, *words):
         (["train", "evening", "--decisions", "0"], "--decisions must be at least 1"),
         (["train", "evening", "--seed", "-1"], "--seed must be 0 or larger"),
         (["replay", "/nowhere"], "/nowhere: no replay"),
-        (["replay", "/nowhere", "--png", "a.jpg"], "--png a.jpg: the name must end in"),
+        (
+            ["replay", "/nowhere", "--picture", "a.jpg"],
+            "--picture a.jpg: the name must end in .png or .svg or .pdf",
+        ),
+        (["replay", "/nowhere", "--size", "big"], "--size big: allowed: WIDTHxHEIGHT"),
+        (["replay", "/nowhere", "--speed", "0"], "--speed 0: allowed: 0.1 to 1000"),
         (["replay", "/nowhere", "--video", "no/a.mp4"], "no is not a directory"),
         ([], "reproduce"),
         (["--foo"], "--foo"),

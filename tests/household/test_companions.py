@@ -31,6 +31,12 @@ def test_a_package_that_comes_first_is_named_in_one_line(name, tmp_path):
     assert str(tmp_path / name) in told
 
 
+def test_a_script_of_that_name_is_named_itself(tmp_path):
+    script = tmp_path / "experiments.py"
+    script.touch()
+    assert f"in its place: {script}; " in imported(tmp_path).stderr.splitlines()[-1]
+
+
 def test_a_folder_that_is_no_package_shadows_nothing(tmp_path):
     (tmp_path / "experiments").mkdir()
     assert imported(tmp_path).returncode == 0

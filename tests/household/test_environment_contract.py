@@ -216,6 +216,7 @@ def test_an_environment_a_situation_and_a_touch_say_what_they_are():
     env = household_v0.parallel_env("evening", max_cycles=200)
     about = "Household('evening': 4 people, 2 robots, 8 behaviors; "
     assert repr(env) == about + "not yet reset)"
+    assert str(env) == str(household_v0.env("evening", max_cycles=200)) == repr(env)
     env.reset(seed=1)
     touches = ()
     while not touches:
@@ -229,6 +230,24 @@ def test_an_environment_a_situation_and_a_touch_say_what_they_are():
         f"Feedback({touch.giver}: tap of {touch.strength:.2f} at "
     )
     assert "\n" not in repr(touch)
+
+
+@pytest.mark.parametrize("encoding", ["features", "situation"])
+def test_what_is_no_observation_of_one_robot_is_refused_in_one_line(encoding):
+    env = household_v0.parallel_env("evening", observation=encoding)
+    observations, _ = env.reset(seed=1)
+    for row in (observations, None, [], np.zeros(3), "robot_0", env.state()):
+        with pytest.raises(HouseholdError, match="allowed: what one robot obs") as told:
+            env.describe(row)
+        assert "\n" not in str(told.value)
+    assert "son: playing" in env.describe(observations["robot_0"])
+
+
+def test_an_observation_that_was_stored_as_a_list_is_described_all_the_same():
+    env = household_v0.parallel_env("evening")
+    observations, _ = env.reset(seed=1)
+    row = observations["robot_0"]
+    assert env.describe(row.tolist()) == env.describe(row)
 
 
 def test_every_step_delivers_exact_types_and_the_last_one_ends_for_all(make):

@@ -193,7 +193,7 @@ def test_a_step_after_the_end_is_empty_and_one_before_the_reset_an_error():
     while env.agents:
         env.step(dict.fromkeys(env.agents, 0))
     assert env.step({}) == ({}, {}, {}, {}, {})
-    assert repr(env) == f"Held({env.unwrapped!r})"
+    assert repr(env) == str(env) == f"Held({env.unwrapped!r})"
 
 
 def test_a_misspelled_agent_is_an_error_although_others_are_ignored():

@@ -37,6 +37,13 @@ def test_a_component_takes_its_own_settings():
     assert found == {"rate": SocialRate(center=1.2), "gamma": 0.5}
 
 
+def test_lists_of_a_file_are_tuples_in_a_component():
+    named = {"name": "nested_views", "coarser": [["plays"], []]}
+    (representation,) = made({"representation": named}).values()
+    assert representation.coarser == (("plays",), ())
+    assert hash(representation)
+
+
 def test_a_component_that_is_made_already_is_left_alone():
     rate = SocialRate(mood=0.0)
     assert made({"rate": rate})["rate"] is rate
@@ -69,6 +76,7 @@ def test_a_components_name_makes_one_of_its_type(rng):
         "pooling": "none",
         "analogy": "adaptive",
         "exploration": "softmax",
+        "silent_steps": "together",
     }
     with pytest.raises(UnknownNameError, match="no rate is made as str"):
         name_of("rate", "social")

@@ -13,6 +13,7 @@ PEOPLE = {
     "marked": {"ann", "bob"},
     "views": {"ann", "bob"},
     "audible_views": {"ann"},  # who attends, and nothing is said of hearing
+    "nested_views": {"ann"},
     "person_views": {"ann", "bob"},
 }
 """Whose rows a representation keeps apart."""

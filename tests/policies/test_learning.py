@@ -30,6 +30,7 @@ class ToyHome:
     over: list
     touches: dict = field(default_factory=dict)
     attentive: set = field(default_factory=set)
+    coming: set = field(default_factory=set)
     names: tuple = ("robot_0",)
     seeds: list = field(default_factory=list)
     actions: list = field(default_factory=list)
@@ -58,6 +59,9 @@ class ToyHome:
 
     def feedback(self, agent):
         return self.touches.get((agent, self.decision), ())
+
+    def approached(self, agent):
+        return self.decision in self.coming
 
     def attended(self, agent):
         return self.decision in self.attentive
@@ -148,6 +152,11 @@ def test_a_touch_keeps_all_that_the_robot_saw_of_it():
 def test_an_entry_is_attended_if_somebody_attended_at_any_time_in_it():
     home = ToyHome(["A"] * 5, [True, False, True, False, True], attentive={1})
     assert [e.attended for e in live(home).learned] == [True, False]
+
+
+def test_an_entry_is_approached_if_somebody_is_on_the_way_as_it_ends():
+    home = ToyHome(["A"] * 5, [True, False, True, False, True], coming={1, 4})
+    assert [e.approached for e in live(home).learned] == [False, True]
 
 
 def test_a_new_episode_begins_a_new_history_and_carries_nothing_over():

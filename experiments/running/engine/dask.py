@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import atexit
+import logging
 
-from distributed import Client
+from distributed import Client, LocalCluster, Security
 from distributed.cfexecutor import ClientExecutor
 
 
@@ -12,13 +13,27 @@ def connect(address: str, workers: int) -> tuple[Client, int]:
     """Returns a client and the number of trials the cluster can run at once.
 
     Args:
-        address: Address of a scheduler; empty: a cluster of its own on this machine.
+        address: Address of a scheduler; empty: a cluster of its own on this machine,
+            which nobody can reach from elsewhere, nor anybody else here: its keys are
+            made for it alone and never written down. For an address that begins with
+            `tls://` the keys are those of Dask's configuration.
         workers: Processes of that cluster of its own.
     """
     if address:
         client = Client(address)
     else:
-        client = Client(n_workers=workers, threads_per_worker=1, dashboard_address=None)
+        keys = Security.temporary()
+        cluster = LocalCluster(
+            n_workers=workers,
+            threads_per_worker=1,
+            dashboard_address=None,
+            host="tls://127.0.0.1",
+            protocol="tls",
+            security=keys,
+            silence_logs=logging.ERROR,
+        )
+        client = Client(cluster, security=keys)
+        atexit.register(cluster.close)
     atexit.register(client.close)
     return client, sum(client.nthreads().values()) or workers
 

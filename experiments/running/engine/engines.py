@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import secrets
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from experiments.errors import ExperimentError, unknown
-from experiments.running.engine.local import local_executor
+from experiments.running.engine.local import Here, local_executor
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +28,8 @@ def open_engine(spec: str = "local", workers: int | None = None) -> Engine:
 
     Args:
         spec: `local`, `dask`, `dask:ADDRESS`, `ray` or `ray:ADDRESS`. With an
-            address trials run on that cluster; without one, on this machine.
+            address trials run on that cluster; without one, on this machine. `here`:
+            in this process, one after the other.
         workers: Processes on this machine; None: one for each core.
 
     Raises:
@@ -47,6 +49,12 @@ def _local(address: str, workers: int) -> Engine:
     return Engine(open=lambda: local_executor(workers), window=workers)
 
 
+def _here(address: str, workers: int) -> Engine:
+    if address:
+        raise ExperimentError(f"engine 'here' takes no address, got {address!r}.")
+    return Engine(open=Here, window=1)
+
+
 def _dask(address: str, workers: int) -> Engine:
     try:
         from experiments.running.engine.dask import DaskExecutor, connect
@@ -57,6 +65,10 @@ def _dask(address: str, workers: int) -> Engine:
 
 
 def _ray(address: str, workers: int) -> Engine:
+    if not address:
+        # Before the import, which reads them: a token for a cluster of our own.
+        os.environ.setdefault("RAY_AUTH_MODE", "token")
+        os.environ.setdefault("RAY_AUTH_TOKEN", secrets.token_hex(32))
     try:
         from experiments.running.engine.ray import RayExecutor, connect
     except ImportError as error:
@@ -74,6 +86,7 @@ def _missing(extra: str, error: ImportError) -> ExperimentError:
 
 _ENGINES: dict[str, Callable[[str, int], Engine]] = {
     "local": _local,
+    "here": _here,
     "dask": _dask,
     "ray": _ray,
 }

@@ -7,7 +7,11 @@ import os
 import signal
 import sys
 import threading
-from concurrent.futures import Executor, ProcessPoolExecutor
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from typing import TypeVar
+
+T = TypeVar("T")
 
 # Each worker is one process on one core: its libraries must not start more threads.
 _ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "POLARS_MAX_THREADS")
@@ -37,6 +41,21 @@ class LocalExecutor(ProcessPoolExecutor):
             if manager is not None:
                 # Else it closes its pipe while the ending interpreter writes to it.
                 manager.join(ENDS_WITHIN)
+
+
+class Here(Executor):
+    """No other process: a task runs in this one, as soon as it is submitted."""
+
+    def submit(
+        self, fn: Callable[..., T], /, *args: object, **kwargs: object
+    ) -> Future[T]:
+        """Runs a task to its end."""
+        future: Future[T] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
 
 
 def local_executor(workers: int) -> Executor:

@@ -18,11 +18,18 @@ def connect(address: str, workers: int) -> int:
 
     Args:
         address: Address of a cluster; empty: a cluster of its own on this machine
-            ("local", so that a cluster left over from elsewhere is not picked up).
+            ("local", so that a cluster left over from elsewhere is not picked up),
+            which nobody can reach from elsewhere, and only with its token from here.
         workers: Cores of that cluster of its own.
     """
     if not ray.is_initialized():
-        own = {} if address else {"num_cpus": workers, "include_dashboard": False}
+        own: dict[str, Any] = {}
+        if not address:
+            own = {
+                "num_cpus": workers,
+                "include_dashboard": False,
+                "_node_ip_address": "127.0.0.1",
+            }
         ray.init(
             address=address or "local",
             log_to_driver=False,

@@ -7,11 +7,8 @@ import pytest
 
 from experiments.errors import ExperimentError
 from experiments.running import jobs as reproduce
-from experiments.running.engine import open_engine
 from experiments.running.store import Results
 from experiments.running.study import Condition, Study
-
-ENGINE = open_engine("local", 1)
 
 
 def fine(trial):
@@ -152,3 +149,39 @@ def test_after_a_kill_the_same_command_goes_on_with_what_is_missing(program, tmp
     again.wait(timeout=30)
     assert said == ["8 trials. 4 of 8 trials are stored already.\n"]
     assert {path: path.stat().st_mtime_ns for path in before} == before
+
+
+def doubled(trial, before=None):
+    """Twice its seed, from what is stored or from the beginning."""
+    doubled.given.append(before is not None)
+    start = fine(trial) if before is None else before
+    return pl.DataFrame({"x": [2 * start["x"][0]]})
+
+
+def test_a_trial_is_given_the_stored_one_that_it_starts_from(tmp_path, in_threads):
+    doubled.given = []
+    first = study()
+    second = Study(
+        name="second",
+        conditions=first.conditions,
+        seeds=first.seeds,
+        run=doubled,
+        start=lambda trial: ("toy", trial) if trial.seed else None,
+    )
+    reproduce.run(reproduce.prepare([first], tmp_path), in_threads, lambda: None)
+    reproduce.run(reproduce.prepare([second], tmp_path), in_threads, lambda: None)
+    assert sorted(doubled.given) == [False, True, True]
+    assert Results(tmp_path / "second").read(second)["x"].to_list() == [0, 2, 4]
+
+
+def test_a_trial_whose_start_is_missing_says_which(tmp_path, in_threads):
+    second = Study(
+        name="second",
+        conditions=study().conditions,
+        seeds=(1,),
+        run=doubled,
+        start=lambda trial: ("toy", trial),
+    )
+    jobs = reproduce.prepare([second], tmp_path)
+    with pytest.raises(ExperimentError, match="toy"):
+        reproduce.run(jobs, in_threads, lambda: None)

@@ -34,7 +34,7 @@ def test_a_trial_is_a_function_of_its_record(name):
 
 
 def test_a_learner_that_learned_nothing_is_near_chance():
-    study = STUDIES["newcomers"]((0,))[0]
+    study = STUDIES["strangers"]((0,))[0]
     households = study.run.keywords["households"]
     untrained = Households(family=households.family, draw=households.draw, decisions=0)
     condition = Condition(name="x", scenario="own_norms", learner="designated")

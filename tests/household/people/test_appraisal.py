@@ -2,6 +2,7 @@
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -13,10 +14,12 @@ from household.people.appraisal import (
     seen_strength,
 )
 from household.people.feelings import moved_mood, opinion
+from household.people.person import everyone_of
 from household.scenario.norms import Norm, household_norms, norm_table
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population, individual, preferences
 from household.scenario.scenario import PersonSpec, RobotSpec, ScriptStep
+from household.scenario.validation import load_scenario
 
 PERSONAS = tuple(shipped("persona"))
 BEHAVIORS = ("bark", "play", "sleep", "say_hello")
@@ -236,6 +239,22 @@ def test_adding_people_to_a_population_leaves_the_others_as_they_were():
     preferences(norms, plain, BEHAVIORS, population, 0.7, 1)
     again = preferences(norms, plain, BEHAVIORS, population, 0.7, 0)
     np.testing.assert_array_equal(first, again)
+
+
+def test_a_person_with_a_number_is_the_same_wherever_it_lives():
+    def lives_with(*numbers):
+        people = tuple(
+            PersonSpec(name=f"p{number}", number=number) for number in numbers
+        )
+        scenario = msgspec.structs.replace(
+            load_scenario("evening"), people=people, heterogeneity=0.7
+        )
+        return {each.name: each for each in everyone_of(scenario)}
+
+    one, other = lives_with(17, 4), lives_with(3, 17)
+    np.testing.assert_array_equal(one["p17"].preferences, other["p17"].preferences)
+    assert one["p17"].persona == other["p17"].persona
+    assert not np.array_equal(one["p17"].preferences, one["p4"].preferences)
 
 
 def test_people_of_one_cluster_share_its_taste():

@@ -15,9 +15,9 @@ from household.errors import HouseholdError
 from household.replay import RecordEpisodes
 from household.replay.buffer import REMEMBERED, Buffer
 from household.replay.marks import Marks
-from household.replay.moments import bends
 from household.replay.reading import read_replay
 from household.replay.recorder import Recorder
+from household.replay.rows import bends
 from household.simulation.snapshot import Snapshot, snapshot
 
 

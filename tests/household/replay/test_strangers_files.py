@@ -12,7 +12,8 @@ from household import household_v0
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes, chunks, probing
 from household.replay.reading import read_replay
-from household.replay.viewer import choose, recordings, view, write_png
+from household.replay.rendering import write_film, write_picture
+from household.replay.viewer import choose, recordings, view
 
 DECISIONS = 40
 
@@ -153,7 +154,14 @@ def test_a_file_that_ends_its_reader_is_refused_in_one_line(tmp_path, monkeypatc
         probing.check_readable(tmp_path / "a.rrd")
 
 
-@pytest.mark.parametrize("show", [view, lambda path: write_png(path, "no.png")])
+@pytest.mark.parametrize(
+    "show",
+    [
+        view,
+        lambda path: write_picture(path, "no.png"),
+        lambda path: write_film(path, "no.mp4"),
+    ],
+)
 def test_a_file_is_tried_out_in_another_process_first(tmp_path, show):
     path = tmp_path / "a.rrd"
     path.write_bytes(b"x" * 1000)

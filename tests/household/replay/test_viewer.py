@@ -21,11 +21,11 @@ VIEWS = {
     "Activities and behaviors",
     "Attention: row looks at column",
     "Credit: believed above, true below",
+    "Events: click on a time",
     "Moods (private)",
     "Situation",
     "Sum of touches",
     "Touches",
-    "Touches and credit",
     "busy: two_room_flat",
 }
 

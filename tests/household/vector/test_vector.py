@@ -1,5 +1,8 @@
 """Many homes at once live as each of them would alone."""
 
+import copy
+import pickle
+
 import gymnasium
 import numpy as np
 import pytest
@@ -358,6 +361,20 @@ def test_wrong_calls_are_refused_in_one_line(make):
     envs.close()
     with pytest.raises(HouseholdError, match="closed"):
         envs.step(np.zeros(4, int))
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, copy.copy, pickle.dumps])
+def test_homes_that_share_memory_are_not_copied(make, copied):
+    """A copy of the arrays alone would look alive and be dead."""
+    envs = make("experiment_1", homes=2)
+    envs.reset()
+    with pytest.raises(HouseholdError, match="cannot be copied or pickled"):
+        copied(envs)
+
+
+def test_numbers_of_other_libraries_count_homes(make):
+    envs = make("experiment_1", homes=np.int64(2), workers=np.uint8(0))
+    assert len(envs.scenarios) == 2
 
 
 def test_homes_of_every_family_live_side_by_side(make):

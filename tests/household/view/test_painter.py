@@ -7,21 +7,29 @@ from pettingzoo.test import render_test
 from pettingzoo.utils.wrappers.record_video_parallel import RecordVideoParallel
 
 from household import household_v0
-from household.activity import Activity
 from household.config.toml import shipped
 from household.errors import HouseholdError
 from household.home.floorplan import load_floorplan
-from household.replay import RecordEpisodes
-from household.replay.viewer import write_png, write_video
+from household.simulation.simulation import PERSON_RADIUS, ROBOT_RADIUS
 from household.simulation.snapshot import snapshot
-from household.view.colors import ACTIVITY_COLORS, behavior_color, rgb
+from household.view.colors import (
+    behavior_colors,
+    ink_on,
+    people_colors,
+    rgb,
+    robot_colors,
+)
 from household.view.cone import RAYS, gaze_cones
 from household.view.floorplan_svg import size_of
-from household.view.painter import SIZE, Painter
+from household.view.painter import SIGN, SIZE, Painter
 from household.view.raster import rasterize
+from household.view.signs import SIGNS
 
-ASIDE = np.array([0.0, 0.1])
-"""From the middle of a body to where neither its nose nor a name is drawn [m]."""
+EDGE = np.array([0.0, 0.84 * PERSON_RADIUS])
+"""From the middle of a person to where its sign ends [m]."""
+
+RIM = np.array([0.0, 0.75 * ROBOT_RADIUS])
+"""From the middle of a robot to between its own color and its edge [m]."""
 
 
 @pytest.fixture(autouse=True)
@@ -33,6 +41,11 @@ def pixel(painter, point):
     """Column and row of a place in the picture."""
     x, y = painter._at(point)
     return round(x), round(y)
+
+
+def close(pixel, color):
+    """Whether a pixel has a color, up to smoothing."""
+    return np.abs(np.subtract(pixel, rgb(color), dtype=int)).max() <= 12
 
 
 def test_pettingzoos_render_test_passes():
@@ -81,27 +94,32 @@ def test_rendering_changes_nothing_that_happens(make_busy_home):
     assert ends[0].touches == ends[1].touches
 
 
-def test_people_wear_the_color_of_their_activity(busy_home):
+def test_people_wear_their_own_color_and_the_sign_of_what_they_do(busy_home):
     busy_home.reset(seed=2)
     painter = Painter(busy_home.scenario)
     now = snapshot(busy_home.simulation)
-    roles = [Activity.WORKING, Activity.READING, Activity.SLEEPING]
-    assert now.activity.tolist() == roles
     frame = painter.pixels(now)
-    for place, role in zip(now.position, roles, strict=False):
-        x, y = pixel(painter, place + ASIDE)
-        assert tuple(frame[y, x]) == rgb(ACTIVITY_COLORS[role])
+    for i, color in enumerate(people_colors(3)):
+        stroke = SIGNS[now.activity[i]]
+        middle = SIGN * PERSON_RADIUS * stroke[:2].mean(axis=0)
+        x, y = pixel(painter, now.position[i] + middle)
+        assert close(frame[y, x], ink_on(color))
+        x, y = pixel(painter, now.position[i] + EDGE)
+        assert close(frame[y, x], color)
 
 
-def test_robots_wear_the_color_of_their_behavior(busy_home):
+def test_robots_wear_their_own_color_inside_that_of_their_behavior(busy_home):
     busy_home.reset(seed=2)
     busy_home.step({"robot_0": 0, "robot_1": 3})
     painter = Painter(busy_home.scenario)
     now = snapshot(busy_home.simulation)
     frame = painter.pixels(now)
-    for place, behavior in zip(now.position[3:], (0, 3), strict=True):
-        x, y = pixel(painter, place + ASIDE)
-        assert tuple(frame[y, x]) == rgb(behavior_color(behavior))
+    doing = behavior_colors(busy_home.behaviors)
+    for j, behavior in enumerate((0, 3)):
+        x, y = pixel(painter, now.position[3 + j])
+        assert close(frame[y, x], robot_colors(2)[j])
+        x, y = pixel(painter, now.position[3 + j] + RIM)
+        assert close(frame[y, x], doing[behavior])
 
 
 def test_without_a_render_mode_nothing_is_drawn():
@@ -150,42 +168,6 @@ def test_closed_eyes_look_nowhere():
     closed = np.full((1, 1), -1.0)
     outline = gaze_cones(at, np.zeros((1, 1)), closed, np.zeros((0, 4)), 2.5)
     assert (outline == 1.0).all()
-
-
-@pytest.fixture
-def recorded(make_busy_home, tmp_path):
-    """A short episode: its last picture and its file."""
-    env = RecordEpisodes(make_busy_home(render_mode="rgb_array"), tmp_path)
-    env.reset(seed=3)
-    for _ in range(12):
-        env.step(dict.fromkeys(env.agents, 0))
-    env.close()
-    env.unwrapped.reset(seed=3)
-    for _ in range(12):
-        env.unwrapped.step(dict.fromkeys(env.agents, 0))
-        frame = env.unwrapped.render()
-    return frame, tmp_path / "episode_00000.rrd"
-
-
-def test_a_picture_of_a_replay_is_the_picture_of_the_episode(recorded, tmp_path):
-    import pygame
-
-    frame, path = recorded
-    write_png(path, tmp_path / "last.png")
-    picture = pygame.surfarray.array3d(pygame.image.load(tmp_path / "last.png"))
-    assert (picture.swapaxes(0, 1) == frame).all()
-
-
-def test_a_moment_that_is_not_in_the_replay_is_an_error(recorded, tmp_path):
-    with pytest.raises(HouseholdError, match="no decision 13; allowed: 0 to 12"):
-        write_png(recorded[1], tmp_path / "none.png", decision=13)
-
-
-def test_a_film_of_a_replay_shows_every_decision(recorded, tmp_path):
-    from imageio_ffmpeg import count_frames_and_secs
-
-    write_video(recorded[1], tmp_path / "film.mp4", fps=4)
-    assert count_frames_and_secs(str(tmp_path / "film.mp4")) == (13, 3.25)
 
 
 @pytest.mark.parametrize("name", sorted(shipped("home")))

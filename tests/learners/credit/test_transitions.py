@@ -21,12 +21,6 @@ def test_what_was_never_seen_has_probability_zero(network):
     assert network.probability("b", "a", 1) == 0.0
 
 
-def test_the_likeliest_situation_is_predicted_first(network):
-    assert list(network.predict("a", 0).items()) == [("b", 0.75), ("c", 0.25)]
-    assert network.predict("a", 1) == {}
-
-
 def test_asking_for_a_probability_counts_nothing(network):
     network.probability("b", "z", 0)
-    network.predict("z", 0)
     assert set(network.counts) == {("a", 0)}

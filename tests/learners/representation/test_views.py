@@ -9,7 +9,13 @@ from learners.analogy import Propagation, RemoveEntity
 from learners.errors import StateError
 from learners.expectation import ExpectedTouch
 from learners.pooling import FullPooling, NoPooling
-from learners.representation import AudibleViews, PersonViews, Views, ViewSet
+from learners.representation import (
+    AudibleViews,
+    NestedViews,
+    PersonViews,
+    Views,
+    ViewSet,
+)
 
 NAMES = ("ann", "bob", "eve", "joe")
 ALL = ("plays", "attends", "hears")
@@ -110,7 +116,35 @@ def test_a_view_consists_of_the_relations_that_are_asked_for(toy):
     assert keys(Views(relations=("plays",)), state) == [(("plays", "reads"),)]
 
 
-@pytest.mark.parametrize("kind", [Views, AudibleViews, PersonViews, ViewSet])
+def test_nested_views_are_audible_views_and_the_same_by_role_alone(toy):
+    state = toy("ann reads, bob calls, eve plays", "ann robot", hears=["eve"])
+    audible, nested = AudibleViews().parts(state), NestedViews().parts(state)
+    assert [part.person for part in nested] == ["ann", "ann", "eve", "eve"]
+    assert [part.key for part in nested[::2]] == [(0, part.key) for part in audible]
+    assert [part.key for part in nested[1::2]] == [
+        (1, (("plays", "reads"),)),
+        (1, (("plays", "plays"),)),
+    ]
+
+
+def test_a_new_view_is_read_off_its_role_and_a_known_one_off_both(toy, entry, touch):
+    attending = toy("ann reads", "ann robot", hears=["ann"])
+    listening = toy("ann reads", hears=["ann"])
+    settings = {"representation": NestedViews(), "pooling": FullPooling()}
+    learner = ExpectedTouch(2, np.random.default_rng(1), **settings)
+    learner.learn(entry(attending, 0, 0.0, touch(0.8, 0.0)))
+    assert learner.q_values(attending)[0] == pytest.approx(0.8)
+    # The full view is blank, so that half of it is the role's.
+    assert learner.q_values(listening)[0] == pytest.approx(0.4)
+    learner.learn(entry(listening, 0, 1.0, touch(-0.4, 1.0)))
+    # The role's mean is now 0.2; one of its two views is at 0.8, the other at -0.4.
+    assert learner.q_values(attending)[0] == pytest.approx((0.8 + 0.2) / 2)
+    assert learner.q_values(listening)[0] == pytest.approx((-0.4 + 0.2) / 2)
+
+
+@pytest.mark.parametrize(
+    "kind", [Views, AudibleViews, NestedViews, PersonViews, ViewSet]
+)
 def test_a_state_without_views_is_refused(kind):
     with pytest.raises(StateError, match="str lacks views"):
         kind().parts("no situation")

@@ -18,9 +18,12 @@ LIVES = 4000
 
 def turned(gaze, percepts):
     """Where people look who have no reason to look anywhere."""
-    n = len(gaze.look)
-    gaze.turn(percepts, Aims(np.full(n, OWN_ACTIVITY), np.full(n, NOBODY)))
+    gaze.turn(percepts, no_aims(len(gaze.look)))
     return gaze.look
+
+
+def no_aims(n):
+    return Aims(np.full(n, OWN_ACTIVITY), np.full(n, NOBODY))
 
 
 @pytest.fixture
@@ -34,8 +37,13 @@ def gaze(percepts):
         habits = Gaze([persona] * n_people, rngs)
 
         def look(levels):
-            seen = (percepts(n_people, level=level) for level in levels)
-            return [int(turned(habits, each)[myself]) for each in seen]
+            # Of all moments the same records, as in a household.
+            seen, aims, looks = percepts(n_people), no_aims(n_people), []
+            for level in levels:
+                seen.surroundings.level[:] = level
+                habits.turn(seen, aims)
+                looks.append(int(habits.look[myself]))
+            return looks
 
         return look
 

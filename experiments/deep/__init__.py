@@ -1,0 +1,1 @@
+"""Neural baselines (extra `deep`); nothing else imports PyTorch."""

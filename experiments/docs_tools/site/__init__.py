@@ -1,0 +1,1 @@
+"""The documentation site: what is put together before Sphinx builds it."""

@@ -1,0 +1,1 @@
+"""When does politeness carry over, when does analogy harm? One file for each study."""

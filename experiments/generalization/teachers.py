@@ -1,0 +1,84 @@
+"""Under which teachers does each method work?
+
+The people of training teach as usual; those that are probed have other habits of
+feedback, and the robot adapts to them. Kinds are those of B-Pref (Lee et al., 2021:
+mistaken, skipping) and people who praise more than they sanction, as most do.
+"""
+
+from __future__ import annotations
+
+from experiments.analysis.preregistered import Contrast
+from experiments.generalization.building import every
+from experiments.generalization.drawing import curves
+from experiments.generalization.inquiry import Inquiry
+from experiments.generalization.learners import FEW
+from experiments.phases.records import Probing, Training
+from experiments.phases.world import World
+
+TEACHERS = {
+    "as usual": World(),
+    "praising": World(traits=(("praise", 0.9), ("sanction", 0.2))),
+    "punishing": World(persona="punisher"),
+    "silent": World(persona="silent"),
+    "mistaken": World(traits=(("mistakes", 0.2),)),
+    "skipping": World(traits=(("praise", 0.2), ("sanction", 0.35))),
+    "tired of praising": World(traits=(("habituation", 0.9),)),
+}
+"""Kind -> the world in which everybody is so (shares are our choice)."""
+
+TOUCHES = (0, 10, 20, 50)
+
+CASES = {
+    (name,): (
+        Training(world=World(), households=2),
+        Probing(
+            world=world,
+            new=("people",),
+            split="out_of_distribution",
+            households=2,
+            touches=TOUCHES,
+        ),
+    )
+    for name, world in TEACHERS.items()
+}
+
+
+def _contrast(text: str, more: str, less: str, teacher: str) -> Contrast:
+    levels = {"teacher": teacher, "touches": 50}
+    return Contrast(
+        text=text, more={"learner": more, **levels}, less={"learner": less, **levels}
+    )
+
+
+def _harm(text: str, teacher: str) -> Contrast:
+    levels = {"learner": "within hearing, full", "touches": 50}
+    return Contrast(
+        text=text,
+        more={**levels, "teacher": "as usual"},
+        less={**levels, "teacher": teacher},
+    )
+
+
+INQUIRY = Inquiry(
+    name="teachers",
+    question="Under which teachers does each method work?",
+    seeds=10,
+    conditions=every(FEW, CASES, ("teacher",)),
+    contrasts=(
+        _contrast(
+            "Under mistaken teachers, views still beat canonical situations.",
+            "within hearing, full",
+            "canonical",
+            "mistaken",
+        ),
+        _contrast(
+            "Under silent ones, too.", "within hearing, full", "canonical", "silent"
+        ),
+        _harm("A fifth of wrong touches harms views.", "mistaken"),
+        _harm("Praise without sanction teaches views less.", "praising"),
+        _harm("Sanction without praise teaches views less.", "punishing"),
+    ),
+    draw=lambda frame: curves(
+        frame, "touches", "teacher", label="touches from these teachers"
+    ),
+)
