@@ -8,7 +8,7 @@ MOST, LEAST = 1e9, 1e-9
 """Largest number of any kind, and smallest of those that must be above 0: beyond, sums
 and powers overflow."""
 
-MOST_BEHAVIORS = 10_000
+MOST_BEHAVIORS = 1000
 """To choose from; tables keep numbers for each in each situation."""
 
 LATEST = 1e12

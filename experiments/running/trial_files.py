@@ -31,6 +31,10 @@ says which trial it is.
 LARGEST, MOST_VALUES = 2**28, 10**8
 """Of a trial [bytes, values in all columns]; those of the paper have a thousandth."""
 
+LARGEST_UNPACKED, MOST_TEXT = 2**30, 2**36
+"""Of a trial's table, and of the texts in lists, if each were as long as all that are
+stored [bytes]."""
+
 _KEY = b"household"
 
 _BLANK = "0" * 64
@@ -155,7 +159,7 @@ def arrow_table(path: Path, identity: Identity) -> pyarrow.Table:
             content = _checked(path, identity)
         file = parquet.ParquetFile(BufferReader(content))
         _check_size(file.metadata)
-        return file.read(use_threads=False).replace_schema_metadata(None)
+        return _unpacked(file).replace_schema_metadata(None)
     except _Fault as error:
         fault = str(error)
     except (OSError, ValueError, ArrowException) as error:
@@ -201,6 +205,46 @@ def _check_size(metadata: Any) -> None:  # noqa: ANN401 - Arrow has no type info
         raise _Fault("holds no rows")
     if _values(metadata) > MOST_VALUES:
         raise _Fault(f"holds more than {MOST_VALUES} values")
+
+
+def _unpacked(file: Any) -> Any:  # noqa: ANN401 - Arrow has no type information
+    """The table of a file, of which texts that come often are stored but once.
+
+    A few bytes can stand for one long text in a million rows. No text is longer than
+    its column, so that as few rows are read at a time as are sure to have room.
+    """
+    from pyarrow import Table
+
+    longest, worst = _texts(file.metadata)
+    if worst <= LARGEST_UNPACKED:
+        return file.read(use_threads=False)
+    found, size = [], 0
+    for batch in file.iter_batches(max(1, LARGEST_UNPACKED // longest)):
+        found.append(batch)
+        size += batch.nbytes
+        if size > LARGEST_UNPACKED:
+            raise _Fault(f"holds more than {LARGEST_UNPACKED} bytes when unpacked")
+    return Table.from_batches(found)
+
+
+def _texts(metadata: Any) -> tuple[int, int]:  # noqa: ANN401 - likewise
+    """How long a text can be, and all of them, if all are that long [bytes].
+
+    Raises:
+        _Fault: If one row alone could be too large.
+    """
+    longest, worst = 1, 0
+    for i in range(metadata.num_row_groups):
+        group = metadata.row_group(i)
+        for j in range(group.num_columns):
+            column = group.column(j)
+            if column.physical_type == "BYTE_ARRAY":
+                most = column.total_uncompressed_size * column.num_values
+                if metadata.schema.column(j).max_repetition_level and most > MOST_TEXT:
+                    raise _Fault("holds lists of texts that are too long")
+                longest = max(longest, column.total_uncompressed_size)
+                worst += most
+    return longest, worst
 
 
 def _values(metadata: Any) -> int:  # noqa: ANN401 - Arrow has no type information

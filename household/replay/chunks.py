@@ -67,12 +67,16 @@ def _pieces(whole: Path, path: Path) -> Iterator[tuple[str, Table]]:
         # A file that was cut off has no index at its end, and Rerun says so.
         warnings.simplefilter("ignore")
         try:
+            size = 0
             for chunk in RrdReader(str(whole)).stream():
                 entity = chunk.entity_path.strip("/")
                 if entity == "__properties/household" or (
                     not chunk.is_static and _is_exact(entity)
                 ):
                     batch = chunk.to_record_batch()
+                    size += batch.nbytes
+                    if size > LARGEST:  # Messages are packed.
+                        raise ValueError(f"more than {LARGEST} bytes when unpacked")
                     batch.validate(full=True)  # Else forged lengths lead astray.
                     yield entity, _table(batch)
         except (RuntimeError, ValueError, KeyError, TypeError) as error:

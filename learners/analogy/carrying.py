@@ -13,6 +13,7 @@ from learners.errors import ParameterError, check_range, check_whole, shown
 from learners.experience import Experience, Reward
 from learners.representation.states import is_state
 from learners.saving import DERIVED, saved
+from learners.sums import added
 from learners.tabular.memory import MEMO_SIZE, Memory, remember
 
 
@@ -153,8 +154,8 @@ def _borrowed(
     """Mean value, by visits, in the nearest group in which a behavior was tried."""
     for states in simpler:
         visits = [memory.visits(state)[behavior] for state in states]
-        total = sum(visits)
+        total = added(visits)
         if total > 0.0:
             values = [memory.values(state)[behavior] for state in states]
-            return sum(n * v for n, v in zip(visits, values, strict=True)) / total
+            return added(n * v for n, v in zip(visits, values, strict=True)) / total
     return 0.0

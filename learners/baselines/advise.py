@@ -13,6 +13,7 @@ from learners.errors import ParameterError, is_within, shown
 from learners.exploration import draw
 from learners.learner import Credit
 from learners.saving import saved
+from learners.sums import added
 from learners.tabular.base import CreditedLearner
 
 
@@ -47,7 +48,7 @@ class Advise(CreditedLearner):
         odds = math.log(self.consistency / (1.0 - self.consistency))
         top = max(votes)
         weights = [math.exp(odds * (each - top)) for each in votes]
-        total = sum(weights)
+        total = added(weights)
         return [weight / total for weight in weights]
 
     def act(self, state: Hashable) -> int:

@@ -14,6 +14,7 @@ from learners.credit.transitions import SituationNetwork
 from learners.errors import check_positive, check_whole
 from learners.experience import Reward
 from learners.saving import saved
+from learners.sums import added
 
 MOST_SHAPE = 100
 """Powers of a delay stay numbers."""
@@ -52,7 +53,7 @@ class DelayDensity(CreditRule):
             index: self._mass(reward.time, entry.time, entry.next_time)
             for index, entry in enumerate(history.entries[: latest + 1])
         }
-        total = sum(masses.values())
+        total = added(masses.values())
         if total <= 0.0:
             return Weighing({latest: 1.0}, latest)
         shares = {index: mass / total for index, mass in masses.items()}
@@ -67,5 +68,5 @@ class DelayDensity(CreditRule):
         x = max(delay, 0.0) / self.scale
         if x > _SURELY:
             return 1.0
-        terms = sum(x**k / math.factorial(k) for k in range(self.shape))
+        terms = added(x**k / math.factorial(k) for k in range(self.shape))
         return 1.0 - math.exp(-x) * terms

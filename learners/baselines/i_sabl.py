@@ -22,6 +22,7 @@ from learners.errors import (
 )
 from learners.learner import Credit
 from learners.saving import saved
+from learners.sums import added
 from learners.tabular.base import CreditedLearner
 from learners.tabular.qtable import QTable
 
@@ -85,7 +86,7 @@ class ISabl(CreditedLearner):
         return self._posterior(_by_behavior(self.memory.visits(state)))
 
     def _visits(self, state: Hashable) -> Sequence[float]:
-        return [sum(each) for each in _by_behavior(self.memory.visits(state))]
+        return [added(each) for each in _by_behavior(self.memory.visits(state))]
 
     def _absorb(self, credits: Sequence[Credit]) -> None:
         for credit in credits:
@@ -124,12 +125,12 @@ class ISabl(CreditedLearner):
         # Under the hypothesis "a is right" all others are wrong, so only the gain of a
         # over being wrong itself tells the hypotheses apart.
         gains = [
-            sum(n * (r - w) for n, r, w in zip(each, if_right, if_wrong, strict=True))
+            added(n * (r - w) for n, r, w in zip(each, if_right, if_wrong, strict=True))
             for each in counts
         ]
         top = max(gains)
         weights = [math.exp(gain - top) for gain in gains]
-        total = sum(weights)
+        total = added(weights)
         return [weight / total for weight in weights]
 
     def _infer_strategy(self) -> None:

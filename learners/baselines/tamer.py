@@ -14,6 +14,7 @@ from learners.errors import check_range
 from learners.exploration import Exploration, Greedy
 from learners.learner import Credit
 from learners.saving import saved
+from learners.sums import added
 from learners.tabular.base import CreditedLearner
 from learners.tabular.cells import Cell
 
@@ -54,7 +55,7 @@ class Tamer(CreditedLearner):
                 self._descend(credit.reward.value, shares)
 
     def _descend(self, felt: float, shares: Sequence[tuple[Cell, int, float]]) -> None:
-        read = sum(w * self.memory.value(cell, b) for cell, b, w in shares)
+        read = added(w * self.memory.value(cell, b) for cell, b, w in shares)
         error = felt - read / self.memory.n_levels
         for cell, behavior, weight in shares:
             target = cell.row.values[behavior] + error

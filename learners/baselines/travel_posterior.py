@@ -14,6 +14,7 @@ from learners.credit.transitions import SituationNetwork
 from learners.errors import check_positive, check_range
 from learners.experience import Experience, Reward
 from learners.saving import saved
+from learners.sums import added
 
 
 @saved
@@ -56,7 +57,7 @@ class TravelPosterior(CreditRule):
             index: self._likelihood(entry, set_out, reward.attention_began, mode)
             for index, entry in enumerate(history.entries[: latest + 1])
         }
-        total = sum(likelihoods.values())
+        total = added(likelihoods.values())
         if total <= 0.0:  # all too long ago for floating point: the latest it is
             return Weighing({latest: 1.0}, latest)
         posterior = {i: x / total for i, x in likelihoods.items()}

@@ -8,6 +8,7 @@ from learners.credit.history import History
 from learners.errors import ExperienceError, ParameterError, check_range
 from learners.experience import Experience, Reward
 from learners.saving import ATTACHED, saved
+from learners.sums import added
 
 Ask = Callable[[Reward, tuple[Experience, ...]], int | None]
 """Puts the candidate entries before the giver, who points at one of them (its index
@@ -66,6 +67,6 @@ class Advice:
         for heuristic, weight in self.heuristics:
             index = heuristic(reward, history)
             votes[index] = votes.get(index, 0.0) + weight
-        total = sum(votes.values())
+        total = added(votes.values())
         ranked = sorted(votes.items(), key=lambda vote: -vote[1])
         return [(index, weight / total) for index, weight in ranked]

@@ -9,6 +9,7 @@ import numpy as np
 
 from learners.errors import check_positive, check_range
 from learners.saving import saved
+from learners.sums import added
 
 
 class Estimates(NamedTuple):
@@ -48,7 +49,7 @@ def softmax(values: Sequence[float], temperature: float) -> list[float]:
     """Boltzmann probabilities exp(v / temperature) / sum, length n_behaviors."""
     top = max(values)
     weights = [math.exp((value - top) / temperature) for value in values]
-    total = sum(weights)
+    total = added(weights)
     return [weight / total for weight in weights]
 
 
@@ -146,7 +147,7 @@ class UpperConfidence:
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:
         """The behavior with the highest upper bound; ties at random."""
-        log_total = math.log1p(sum(estimates.visits))
+        log_total = math.log1p(added(estimates.visits))
         return best(
             [
                 value + self.width * math.sqrt(log_total / count)

@@ -3,6 +3,7 @@
 from collections.abc import Hashable
 
 from learners.pooling.rules import Pooling
+from learners.sums import added
 from learners.tabular.qtable import Row
 
 
@@ -42,19 +43,19 @@ class Population:
         weights[index] = weight
         weighted[index] = weight * value
         # Summed up anew, so that rounding does not depend on the way here.
-        total = self._prior + sum(weights)
+        total = self._prior + added(weights)
         if total > 0.0:
-            self.mean[action] = sum(weighted) / total
+            self.mean[action] = added(weighted) / total
             self.variance[action] = 1.0 / total
 
     def visits(self, action: int) -> float:
         """Visits of all people together."""
-        return sum(cell.row.visits[action] for cell in self._cells)
+        return added(cell.row.visits[action] for cell in self._cells)
 
     def others(self, cell: "Cell", action: int) -> float | None:
         """Mean of all but one person; None if nothing is known of them."""
         weights, weighted = self._weights[action], self._weighted[action]
-        total, values = sum(weights), sum(weighted)
+        total, values = added(weights), added(weighted)
         if cell.index >= 0:
             total -= weights[cell.index]
             values -= weighted[cell.index]

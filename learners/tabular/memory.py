@@ -7,6 +7,7 @@ from typing import TypeVar, cast
 from learners.pooling.adaptive import AdaptivePooling
 from learners.pooling.rules import Pooling
 from learners.representation.parts import Representation
+from learners.sums import added
 from learners.tabular.cells import Cell, Population
 from learners.tabular.qtable import QTable
 
@@ -118,7 +119,7 @@ class Memory:
             self._adapt(seen.cells)
         own, pull, mean = zip(*seen.own), zip(*seen.pull), zip(*seen.mean)  # noqa: B905
         found = [
-            sum(map(add, o, map(mul, p, m)))
+            added(map(add, o, map(mul, p, m)))
             for o, p, m in zip(own, pull, mean)  # noqa: B905 - strictness takes time
         ]
         return self._mean(found)
@@ -143,7 +144,7 @@ class Memory:
         common = zip(*[cell.population.variance for cell in cells])  # noqa: B905
         between = self._pooling.between
         found = [
-            between * sum(pull) + sum(map(mul, map(mul, pull, pull), variance))
+            between * added(pull) + added(map(mul, map(mul, pull, pull), variance))
             for pull, variance in zip(pulls, common, strict=True)
         ]
         deviations = [variance**0.5 for variance in found] or self._zeros()
@@ -157,7 +158,7 @@ class Memory:
 
     def expected(self, own: Sequence[Cell], action: int) -> float:
         """What is expected of a person, the mean over its cells; 0 without any."""
-        return sum(self.value(cell, action) for cell in own) / self.n_levels
+        return added(self.value(cell, action) for cell in own) / self.n_levels
 
     def value(self, cell: Cell, action: int) -> float:
         """What is read of one cell."""

@@ -17,7 +17,7 @@ from household.compiled.arrays import Floats
 from household.config.toml import Point, convert, read_file
 from household.errors import HouseholdError, shown_path
 from household.home.check import LARGEST, checked
-from household.home.floorplan import FloorPlan, Region, Room, Wall
+from household.home.floorplan import FEW, FloorPlan, Region, Room, Wall
 from household.home.geometry import distance_to_segments
 from household.home.sources.placing import Corners, Place, place_regions
 
@@ -26,6 +26,10 @@ FACE = 0.04
 
 JITTER = 0.02
 """Corners that bend a wall by less are dropped [m]; contours were traced in images."""
+
+
+MOST_VERTS = 2000
+"""Of a contour; those of the data set have some dozens."""
 
 
 class House(msgspec.Struct, frozen=True):
@@ -38,8 +42,10 @@ class House(msgspec.Struct, frozen=True):
     """
 
     id: str
-    verts: Annotated[tuple[Point, ...], msgspec.Meta(min_length=3)]
-    room_category: dict[str, tuple[Corners, ...]]
+    verts: Annotated[
+        tuple[Point, ...], msgspec.Meta(min_length=3, max_length=MOST_VERTS)
+    ]
+    room_category: Annotated[dict[str, Annotated[tuple[Corners, ...], FEW]], FEW]
 
 
 def load_houseexpo(path: Path | str) -> FloorPlan:

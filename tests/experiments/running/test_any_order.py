@@ -33,7 +33,7 @@ REAL_TRIALS = """
 
 @pytest.fixture
 def files_of(program, tmp_path):
-    """Runs a study of real trials; returns what its results hold, by their paths."""
+    """Runs a study of real trials; returns what its result files hold, by path."""
 
     def run(engine, workers, seeds):
         out = tmp_path / f"{engine}_{workers}_{seeds}"

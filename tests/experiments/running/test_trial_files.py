@@ -113,6 +113,23 @@ def test_how_much_a_file_holds_is_looked_up_before_it_is_read(file, monkeypatch)
     assert "larger than 100 bytes" in refused(file)
 
 
+def test_a_small_file_that_would_fill_the_memory_is_refused(tmp_path, monkeypatch):
+    """A text that comes in all rows is stored once; of more rows, any amount comes."""
+    monkeypatch.setattr(trial_files, "LARGEST_UNPACKED", 2**22)
+    path = tmp_path / "seed_0003.parquet"
+    path.write_bytes(encoded(pl.DataFrame({"x": ["a" * 10**5] * 300}), ONE))
+    assert path.stat().st_size < 10**5
+    assert f"holds more than {2**22} bytes when unpacked" in refused(path)
+
+
+def test_a_table_that_could_be_too_large_and_is_not_is_read(file, monkeypatch):
+    whole = decoded(file, ONE)
+    monkeypatch.setattr(trial_files, "LARGEST_UNPACKED", 2**17)
+    assert decoded(file, ONE).equals(whole)
+    monkeypatch.setattr(trial_files, "LARGEST_UNPACKED", 2**10)
+    assert "bytes when unpacked" in refused(file)
+
+
 def toy(columns=()):
     conditions = tuple(Condition(name=n, scenario="s", learner="q") for n in "ab")
     return Study(

@@ -2,9 +2,10 @@
 
 import pytest
 
+from household.config.faults import MOST_UNKNOWN, faults
 from household.config.toml import shipped
 from household.errors import HouseholdError
-from household.home.floorplan import MOST_WALLS, load_floorplan
+from household.home.floorplan import MOST_WALLS, FloorPlan, load_floorplan
 from household.scenario.files import check_file
 from household.scenario.validation import load_scenario
 
@@ -60,6 +61,11 @@ ABSURD = [
         {"behavior": {"hum": {"description": "", "duration": 1e300}}},
     ),
     ("behaviors", {"behaviors": ["bark"] * 10_000}),
+    (
+        "norms.working.attending",
+        {"norms": {"working": {"attending": {f"b{i}": 0.5 for i in range(20_000)}}}},
+    ),
+    ("norms", {"norms": {f"a{i}": {} for i in range(20_000)}}),
     ("people", {"people": [{"name": f"p{i}"} for i in range(65)]}),
     ("name", {"name": "two\nlines"}),
     ("name", {"name": "ends with one\n"}),
@@ -108,3 +114,27 @@ def home_with(folder, walls):
     path = folder / "home.toml"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+def test_of_thousands_of_unknown_fields_the_first_are_told(tmp_path):
+    """Each is compared with all that there are, which took minutes."""
+    path = home_with(tmp_path, "")
+    with path.open("a", encoding="utf-8") as file:
+        file.write("[more]\n" + "".join(f"a{i} = 1\n" for i in range(20_000)))
+    assert len(check_file(path)) <= 101
+    data = {f"field_{i}": 1 for i in range(20_000)}
+    with pytest.raises(HouseholdError, match="unknown field 'field_0'"):
+        load_scenario("experiment_1", home=data)
+    lines = list(faults(data, FloorPlan))
+    assert len(lines) == MOST_UNKNOWN + 1
+    assert str(lines[-1]) == "19900 more unknown fields"
+
+
+def test_names_that_cannot_be_printed_are_told_on_one_line():
+    with pytest.raises(HouseholdError) as caught:
+        load_scenario(
+            "experiment_1",
+            behaviors=["bark", "no such"],
+            behavior={"\u202e\U000f5904": {"description": "", "duration": 1.0}},
+        )
+    assert str(caught.value).isprintable()

@@ -128,6 +128,15 @@ def test_an_imported_home_can_be_kept_as_toml(flat, tmp_path):
             "room_category.Bedroom[0]: Expected",
         ),
         ({"room_category": []}, "room_category: Expected `object`, got `array`"),
+        # These took a minute before their size was bounded.
+        (
+            {"verts": [[i / 1000, 10 * (i % 2)] for i in range(12_000)]},
+            "verts: Expected `array` of length <= 2000",
+        ),
+        (
+            {"room_category": {"Kitchen": [[0, 0, 9, 9]] * 9000}},
+            "room_category.Kitchen: Expected `array` of length <= 500",
+        ),
     ],
 )
 def test_a_damaged_file_is_refused_in_one_line(written, changes, message):
