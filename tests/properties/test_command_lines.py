@@ -34,7 +34,7 @@ NUMBERS = (
     "--workers",
     "--households",
 )
-NAMES = ("--learner", "--suite", "--engine", "--out", "--png", "--video")
+NAMES = ("--learner", "--suite", "--engine", "--out", "--picture", "--video")
 
 OPTIONS = st.one_of(
     st.tuples(st.sampled_from(NUMBERS), st.sampled_from(("0", "-3", "x", "1e3", "½"))),
