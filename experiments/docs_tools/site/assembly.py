@@ -18,7 +18,7 @@ SECTIONS: Mapping[str, Sequence[str]] = {
     "Learning": ("learners", "equations", "many_people", "generalization"),
     "Findings": ("results", "deviations", "validation"),
     "Tools": ("replay", "performance", "reliability", "scale"),
-    "Examples": ("examples/index", "examples/*"),
+    "Examples": ("examples/index", "examples/*", "libraries"),
     "Reference": ("reference/index", "architecture", "dependencies"),
     "More": ("*", "*/*"),
 }
