@@ -66,7 +66,9 @@ def _dask(address: str, workers: int) -> Engine:
 
 def _ray(address: str, workers: int) -> Engine:
     if not address:
-        # Before the import, which reads them: a token for a cluster of our own.
+        # Before the import, which reads them: for a cluster of our own a token, and the
+        # loopback interface alone, as Ray by itself has it on Windows and macOS only.
+        os.environ.setdefault("RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER", "0")
         os.environ.setdefault("RAY_AUTH_MODE", "token")
         os.environ.setdefault("RAY_AUTH_TOKEN", secrets.token_hex(32))
     try:

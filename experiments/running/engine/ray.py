@@ -25,11 +25,7 @@ def connect(address: str, workers: int) -> int:
     if not ray.is_initialized():
         own: dict[str, Any] = {}
         if not address:
-            own = {
-                "num_cpus": workers,
-                "include_dashboard": False,
-                "_node_ip_address": "127.0.0.1",
-            }
+            own = {"num_cpus": workers, "include_dashboard": False}
         ray.init(
             address=address or "local",
             log_to_driver=False,

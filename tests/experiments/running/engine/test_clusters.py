@@ -67,12 +67,14 @@ OF_OUR_OWN = """
 """
 
 OF_OUR_OWN_BY_RAY = """
-    import ray
+    import os
     from experiments.running.engine import open_engine
 
     if __name__ == "__main__":
-        open_engine("ray", 1)
-        print(ray.util.get_node_ip_address(), flush=True)
+        open_engine("ray", 1)  # which sets the token before Ray is imported
+        import ray
+        where = {node["NodeManagerAddress"] for node in ray.nodes()}
+        print(where, os.environ["RAY_AUTH_MODE"], flush=True)
 """
 
 
@@ -114,7 +116,7 @@ def test_a_dask_cluster_of_our_own_has_keys_and_no_public_address(program):
     assert out == "tls://127.0.0.1\n", err
 
 
-def test_a_ray_cluster_of_our_own_has_no_public_address(program):
+def test_a_ray_cluster_of_our_own_has_a_token_and_no_public_address(program):
     pytest.importorskip("ray")
     out, err = program(OF_OUR_OWN_BY_RAY).communicate(timeout=100)
-    assert "127.0.0.1" in out, err
+    assert "{'127.0.0.1'} token" in out, err
