@@ -9,8 +9,14 @@ from typing import Any
 import numpy as np
 import polars as pl
 
+from experiments.analysis import deciding
+from experiments.analysis.deciding import Region
 from experiments.analysis.measures import StudyMeasure
 from experiments.analysis.statistics import Estimate, FloatArray, proportion
+
+FLOOR, CEILING = "random", "persona"
+"""Conditions that every claim about behavior is read beside: a robot that does anything
+at any time, and one that does what the people who are there prefer most."""
 
 RULES: Mapping[str, Callable[[Estimate, float], bool]] = {
     "at least": lambda found, threshold: found.value >= threshold,
@@ -59,10 +65,22 @@ class Claim:
     compared: tuple[StudyMeasure, ...] = ()
     """The same measured on other conditions, without a verdict."""
 
+    least: float | None = None
+    """The value below which a claim of "at most" does not hold, if any."""
+
+    reference: Callable[[str], StudyMeasure] | None = None
+    """Takes `FLOOR` or `CEILING`, returns the same measure of it; None where the
+    claim is about what a learner believes, which these two have nothing to say of."""
+
     @property
     def condition(self) -> str:
         """The condition, or the contrast of conditions, that it is checked on."""
         return self.measure.label
+
+    @property
+    def wanted(self) -> Region:
+        """Values at which it holds."""
+        return deciding.region(self.rule, self.threshold, self.least)
 
     def check(self, frame: pl.DataFrame) -> Finding:
         """Returns what came out.
@@ -71,10 +89,14 @@ class Claim:
             frame: The table of the study that the claim belongs to.
         """
         estimate = self._estimate(self.measure, frame)
+        enough = self.least is None or estimate.value >= self.least
+        ask = self.reference
         return Finding(
             claim=self,
             estimate=estimate,
-            holds=bool(RULES[self.rule](estimate, self.threshold)),
+            holds=bool(enough and RULES[self.rule](estimate, self.threshold)),
+            floor=self._estimate(ask(FLOOR), frame) if ask else None,
+            ceiling=self._estimate(ask(CEILING), frame) if ask else None,
             compared={
                 measure.label: self._estimate(measure, frame)
                 for measure in self.compared
@@ -102,6 +124,33 @@ class Finding:
     compared: Mapping[str, Estimate] = field(default_factory=dict)
     """What was measured on other conditions, by their labels."""
 
+    floor: Estimate | None = None
+    """The same of a random robot."""
+
+    ceiling: Estimate | None = None
+    """The same of the persona reference."""
+
+    @property
+    def verdict(self) -> str:
+        """`holds`, `fails`, or `undecided` where the interval straddles a border."""
+        covers_nothing = self.estimate.low <= 0.0 <= self.estimate.high
+        if self.claim.rule == "no better than" and covers_nothing:
+            return deciding.HOLDS
+        return deciding.verdict(self.estimate, self.claim.wanted, holds=self.holds)
+
+    @property
+    def seeds_to_decide(self) -> int | None:
+        """How many seeds would decide, about; None if it is decided, or never."""
+        if self.verdict != deciding.UNDECIDED:
+            return None
+        return deciding.seeds_to_decide(self.estimate, self.claim.wanted)
+
+    @property
+    def standing(self) -> str | None:
+        """`empty`, `unattainable`, or None; see `deciding.standing`."""
+        known = [one.value for one in (self.floor, self.ceiling) if one is not None]
+        return deciding.standing(self.claim.wanted, known)
+
     def plain(self) -> dict[str, Any]:
         """Returns the finding as it is written to `claims.json`."""
         claim, estimate = self.claim, self.estimate
@@ -115,15 +164,32 @@ class Finding:
             "high": estimate.high,
             "rule": claim.rule,
             "threshold": claim.threshold,
+            "least": claim.least,
             "holds": self.holds,
+            "verdict": self.verdict,
+            "seeds_to_decide": self.seeds_to_decide,
+            "floor": _plain(self.floor),
+            "ceiling": _plain(self.ceiling),
+            "standing": self.standing,
             "unit": claim.unit,
             "n": estimate.n,
             "interval": estimate.method,
-            "compared": {
-                name: {"value": other.value, "low": other.low, "high": other.high}
-                for name, other in self.compared.items()
-            },
+            "compared": {name: _plain(one) for name, one in self.compared.items()},
         }
+
+
+def _plain(estimate: Estimate | None) -> dict[str, float] | None:
+    if estimate is None:
+        return None
+    return {"value": estimate.value, "low": estimate.low, "high": estimate.high}
+
+
+def overall(findings: Iterable[Finding]) -> dict[str, str]:
+    """Returns the verdict on each claim's id, over all of its conditions."""
+    found: dict[str, list[str]] = {}
+    for finding in findings:
+        found.setdefault(finding.claim.id, []).append(finding.verdict)
+    return {id: deciding.worst(each) for id, each in found.items()}
 
 
 def verdicts(findings: Iterable[Finding]) -> dict[str, bool]:

@@ -117,7 +117,14 @@ def _methods(
         yield Method(
             name="Q-table",
             text=f"{situation.name}: converged",
-            measure=_converged(situation),
+            measure=_of(situation, measures.converged),
+            is_share=True,
+            estimate=proportion,
+        )
+        yield Method(
+            name="Q-table",
+            text=f"{situation.name}: right behavior has the highest Q at the end",
+            measure=_of(situation, social.ordered),
             is_share=True,
             estimate=proportion,
         )
@@ -130,7 +137,13 @@ def _methods(
         yield Method(
             name=BEYOND,
             text=f"{situation.name}: right choices in the last quarter",
-            measure=_right_share(situation),
+            measure=_of(situation, social.right_share),
+            is_share=True,
+        )
+        yield Method(
+            name=BEYOND,
+            text=f"{situation.name}: greedy choices that would be right, last quarter",
+            measure=_of(situation, social.greedy_right),
             is_share=True,
         )
     yield Method(
@@ -153,12 +166,10 @@ def _frequency(sign: int, quarter: int) -> Measure:
     return measure
 
 
-def _converged(situation: TargetSituation) -> Measure:
-    return lambda trial: measures.converged(trial, situation.find(trial))
-
-
-def _right_share(situation: TargetSituation) -> Measure:
-    return lambda trial: social.right_share(trial, situation.find(trial))
+def _of(
+    situation: TargetSituation, measure: Callable[[pl.DataFrame, str | None], float]
+) -> Measure:
+    return lambda trial: measure(trial, situation.find(trial))
 
 
 def _final_q(situation: TargetSituation, behavior: str) -> Measure:

@@ -75,6 +75,11 @@ def of_each(conditions: Sequence[str], measure: Measure) -> tuple[StudyMeasure, 
     return tuple(of(condition, measure) for condition in conditions)
 
 
+def on_references(measure: Measure) -> Callable[[str], StudyMeasure]:
+    """Returns the measure of a study for any condition that is named."""
+    return partial(of, measure=measure)
+
+
 def difference(more: str, less: str, measure: Measure) -> StudyMeasure:
     """Returns a measure of a study: by how much two conditions differ, seed by seed.
 

@@ -26,6 +26,62 @@ def settled_after(trial: pl.DataFrame, situation: str | None) -> int:
     return int(good[0]) if len(good) else len(right)
 
 
+def wrong_among_first(trial: pl.DataFrame, situation: str | None, n: int = 10) -> float:
+    """Returns how many of the first decisions in a situation are not appropriate.
+
+    Args:
+        trial: The table of a trial.
+        situation: Which situation.
+        n: How many decisions; NaN if there are fewer.
+    """
+    first = measures.appropriate(measures.decisions(trial, situation))[:n]
+    return float((~first).sum()) if len(first) == n else float("nan")
+
+
+def first_run(trial: pl.DataFrame, situation: str | None, n: int = 5) -> int:
+    """Returns after how many decisions the first run of appropriate ones begins.
+
+    Args:
+        trial: The table of a trial.
+        situation: Which situation.
+        n: Length of the run; without one, all decisions count.
+    """
+    right = measures.appropriate(measures.decisions(trial, situation))
+    for begin in range(len(right) - n + 1):
+        if right[begin : begin + n].all():
+            return begin
+    return len(right)
+
+
+def greedy_right(trial: pl.DataFrame, situation: str | None) -> float:
+    """Returns how often the greedy choice would have been right in a situation.
+
+    Of the last quarter of its decisions, by the Q-values of the moment: what the
+    learner knew, whatever its exploration did. Behaviors of equal value share.
+    """
+    last = measures.last_quarter(measures.decisions(trial, situation))
+    if last.is_empty():
+        return float("nan")
+    wanted = last["appropriateness"].struct.unnest().to_numpy()
+    values = last["q"].struct.unnest().to_numpy()
+    right = wanted >= wanted.max(axis=1, keepdims=True) - 1e-9
+    best = values >= values.max(axis=1, keepdims=True) - 1e-9
+    return float(((right & best).sum(axis=1) / best.sum(axis=1)).mean())
+
+
+def ordered(trial: pl.DataFrame, situation: str | None) -> bool:
+    """Returns whether a behavior that is right ends with the highest Q-value."""
+    last = measures.decisions(trial, situation).tail(1)
+    values = measures.final_q(trial, situation)
+    if last.is_empty():
+        return False
+    wanted: dict[str, float] = last["appropriateness"][0]
+    best = max(wanted.values()) - 1e-9
+    wrong = [values[name] for name, worth in wanted.items() if worth < best]
+    right = [values[name] for name, worth in wanted.items() if worth >= best]
+    return all(max(right) > value for value in wrong)
+
+
 def right_share(trial: pl.DataFrame, situation: str | None) -> float:
     """Returns the share of appropriate choices in the last quarter of a situation's."""
     last = measures.last_quarter(measures.decisions(trial, situation))

@@ -44,6 +44,7 @@ def _claims(condition: str) -> tuple[Claim, ...]:
             measure=measures.of(condition, _converged),
             rule="at most",
             threshold=1 / 3,
+            reference=measures.on_references(_converged),
         ),
         Claim(
             id="1b",
@@ -56,6 +57,7 @@ def _claims(condition: str) -> tuple[Claim, ...]:
             measure=measures.of(condition, _alternates),
             rule="at least",
             threshold=2 / 3,
+            reference=measures.on_references(_alternates),
         ),
         Claim(
             id="1c",

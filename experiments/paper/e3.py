@@ -75,6 +75,27 @@ def figure(name: str, condition: str, credit: str) -> PaperFigure:
     )
 
 
+def silence_controls(scenario: str, **settings: str) -> tuple[Condition, ...]:
+    """Returns the paper's learner with each other way to learn from silence.
+
+    Args:
+        scenario: Where they are run.
+        **settings: Of the learner, beside that.
+    """
+    return tuple(
+        Condition(
+            name=f"silence_{how}",
+            scenario=scenario,
+            learner="q_social",
+            learner_overrides={**settings, "silent_steps": how},
+        )
+        for how in ("apart", "held", "apart_held")
+    )
+
+
+SILENCE = ("silence_apart", "silence_held", "silence_apart_held")
+
+
 def _claims(condition: str, compared: tuple[str, ...]) -> tuple[Claim, ...]:
     return (
         Claim(
@@ -89,6 +110,7 @@ def _claims(condition: str, compared: tuple[str, ...]) -> tuple[Claim, ...]:
             rule="at most",
             threshold=0.2,
             compared=measures.of_each(compared, converged_in_both),
+            reference=measures.on_references(converged_in_both),
         ),
         Claim(
             id="3b",

@@ -10,10 +10,12 @@ from experiments.paper import table_1
 from experiments.paper.e3 import (
     CREDIT,
     IMMEDIATE,
+    SILENCE,
     SKIP,
     TARGET_SITUATIONS,
     converged_in_both,
     figure,
+    silence_controls,
 )
 from experiments.paper.experiment import Experiment
 from experiments.running.study import Condition
@@ -32,6 +34,8 @@ EXPERIMENT = Experiment(
         "moment gets a part of it.",
         "Controls: immediate credit as in experiment 3, and skip_silence, which does "
         "not learn from steps without feedback (designated credit otherwise).",
+        "Beside them: the same learner with silence counted apart from touches, held "
+        "back while somebody is on the way, and both.",
     ),
     conditions=(
         Condition(name=DESIGNATED, scenario="experiment_4", learner="designated"),
@@ -54,7 +58,8 @@ EXPERIMENT = Experiment(
             measure=measures.of(DESIGNATED, converged_in_both),
             rule="at least",
             threshold=0.9,
-            compared=measures.of_each(CONTROLS, converged_in_both),
+            compared=measures.of_each((*CONTROLS, *SILENCE), converged_in_both),
+            reference=measures.on_references(converged_in_both),
         ),
         Claim(
             id="4b",
@@ -91,6 +96,7 @@ EXPERIMENT = Experiment(
         figure("figure_6", DESIGNATED, "Designated credit"),
         figure("figure_6_immediate", IMMEDIATE, "Control: immediate credit"),
     ),
+    beside=silence_controls("experiment_4", credit="designated"),
     target_situations=TARGET_SITUATIONS,
     tables=(table_1.table,),
     further=CREDIT,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import polars as pl
 
 from experiments.analysis import measures
-from experiments.analysis.claims import Claim, Finding
+from experiments.analysis.claims import CEILING, FLOOR, Claim, Finding
 from experiments.analysis.evaluation import Method
 from experiments.analysis.tables import Table
 from experiments.analysis.target_situations import TargetSituation
@@ -111,6 +111,10 @@ class Experiment:
     target_situations: tuple[TargetSituation, ...] = ()
     """The situations to be learned; their Q-values are followed over time."""
 
+    beside: tuple[Condition, ...] = ()
+    """What is run beside what is compared: learners and scenarios that are otherwise
+    in more than the one thing that the experiment is about."""
+
     tables: tuple[Callable[[pl.DataFrame], Table], ...] = ()
     """What else is shown: each takes the study's table."""
 
@@ -132,11 +136,20 @@ class Experiment:
         """The condition that the experiment is about."""
         return self.figures[0].condition
 
+    @property
+    def all_conditions(self) -> tuple[Condition, ...]:
+        """All that is run: what is compared, what is beside it, both references."""
+        return (
+            *self.conditions,
+            *self.beside,
+            *references(self.conditions[0].scenario),
+        )
+
     def study(self, seeds: tuple[int, ...]) -> Study:
         """Returns the trials to run."""
         return Study(
             name=self.name,
-            conditions=self.conditions,
+            conditions=self.all_conditions,
             seeds=seeds,
             run=self.run,
             columns=COLUMNS,
@@ -144,7 +157,7 @@ class Experiment:
 
     def condition(self, name: str) -> Condition:
         """Returns a condition by its name."""
-        return next(one for one in self.conditions if one.name == name)
+        return next(one for one in self.all_conditions if one.name == name)
 
     def check(self, frame: pl.DataFrame) -> tuple[Finding, ...]:
         """Returns what came of each claim.
@@ -153,6 +166,28 @@ class Experiment:
             frame: The study's table.
         """
         return tuple(claim.check(frame) for claim in self.claims)
+
+
+def references(
+    scenario: str, suffix: str = "", **overrides: object
+) -> tuple[Condition, ...]:
+    """Returns the conditions that claims have as their floor and their ceiling.
+
+    Args:
+        scenario: Where both are run.
+        suffix: Added to their names.
+        **overrides: Of the scenario.
+    """
+    learners = {FLOOR: "random", CEILING: "persona_oracle"}
+    return tuple(
+        Condition(
+            name=name + suffix,
+            scenario=scenario,
+            learner=learner,
+            scenario_overrides=overrides,
+        )
+        for name, learner in learners.items()
+    )
 
 
 def comparison(experiment: Experiment, frame: pl.DataFrame) -> tuple[Column, ...]:

@@ -6,9 +6,10 @@ from fractions import Fraction
 from math import isnan
 
 from experiments.analysis.claims import Finding
+from experiments.analysis.deciding import EMPTY, FAILS, HOLDS, UNATTAINABLE, UNDECIDED
 from experiments.analysis.statistics import Estimate
 
-VERDICTS = {True: "✓ holds", False: "✗ fails"}
+VERDICTS = {HOLDS: "✓ holds", FAILS: "✗ fails", UNDECIDED: "? undecided"}
 """Told by sign and word, never by color alone."""
 
 
@@ -26,9 +27,40 @@ def format_interval(estimate: Estimate, *, is_share: bool) -> str:
     return f"{low} to {format_number(estimate.high, is_share=is_share)}"
 
 
-def format_verdict(holds: bool) -> str:
+def format_verdict(verdict: str) -> str:
     """Returns whether a claim holds, as a sign and a word."""
-    return VERDICTS[holds]
+    return VERDICTS[verdict]
+
+
+def finding_references(finding: Finding) -> str:
+    """Returns what a random robot and the persona reference reach: `12 to 62 %`."""
+    if finding.floor is None or finding.ceiling is None:
+        return "none"
+    is_share = finding.claim.is_share
+    low = _digits(finding.floor.value, is_share=is_share)
+    return f"{low}, {format_number(finding.ceiling.value, is_share=is_share)}"
+
+
+def finding_remarks(finding: Finding) -> tuple[str, ...]:
+    """Returns what must be known beside the verdict, in sentences."""
+    remarks = []
+    if finding.verdict == UNDECIDED:
+        needed = finding.seeds_to_decide
+        remarks.append(
+            "The value lies on the border: no number of seeds decides."
+            if needed is None
+            else f"About {needed:,} seeds would decide, if the value stays."
+        )
+    if finding.standing is not None:
+        remarks.append(_STANDINGS[finding.standing])
+    return tuple(remarks)
+
+
+_STANDINGS = {
+    EMPTY: "Empty: a random robot and the persona reference meet it, too.",
+    UNATTAINABLE: "Unattainable: nothing between a random robot and the persona "
+    "reference meets it.",
+}
 
 
 def finding_value(finding: Finding) -> str:
@@ -44,6 +76,9 @@ def finding_interval(finding: Finding) -> str:
 def finding_threshold(finding: Finding) -> str:
     """Returns rule and threshold: `at least 90 %`."""
     claim = finding.claim
+    if claim.least is not None:
+        low = _digits(claim.least, is_share=claim.is_share)
+        return f"{low} to {format_number(claim.threshold, is_share=claim.is_share)}"
     thirds = Fraction(claim.threshold).limit_denominator(3)
     if thirds.denominator == 3 and abs(float(thirds) - claim.threshold) < 1e-9:
         return f"{claim.rule} {thirds}"

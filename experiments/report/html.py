@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from experiments.analysis.claims import Finding, verdicts
+from experiments.analysis.claims import Finding, overall
+from experiments.analysis.deciding import HOLDS, UNDECIDED
 from experiments.report.format import (
     finding_interval,
+    finding_references,
+    finding_remarks,
     finding_threshold,
     finding_value,
     format_interval,
@@ -39,6 +42,8 @@ def write_report(published: Published, path: Path) -> None:
     environment.filters |= {
         "value": finding_value,
         "interval": finding_interval,
+        "references": finding_references,
+        "remarks": finding_remarks,
         "threshold": finding_threshold,
         "verdict": format_verdict,
     }
@@ -47,11 +52,12 @@ def write_report(published: Published, path: Path) -> None:
 
 
 def _context(published: Published) -> dict[str, Any]:
-    ids = dict(sorted(verdicts(published.findings).items()))
+    ids = dict(sorted(overall(published.findings).items()))
     root = published.report_file.parent
     return {
         "verdicts": ids,
-        "n_holding": sum(ids.values()),
+        "n_holding": list(ids.values()).count(HOLDS),
+        "n_undecided": list(ids.values()).count(UNDECIDED),
         "unfinished": published.unfinished,
         "parts": [_part(part, root) for part in published.reproduced],
         "factorial": [_factorial(one) for one in published.factorial],
@@ -155,7 +161,9 @@ def _methods(part: Reproduced) -> list[dict[str, Any]]:
 def _scale(finding: Finding) -> dict[str, Any]:
     """Returns where value, interval and threshold lie on a line from 0 to 100."""
     estimate, threshold = finding.estimate, finding.claim.threshold
+    references = [one for one in (finding.floor, finding.ceiling) if one is not None]
     points = [estimate.low, estimate.high, estimate.value, threshold, 0.0]
+    points += [one.value for one in references]
     known = [point for point in points if point == point]
     low, high = min(known), max(known)
     if finding.claim.is_share and low >= 0.0:
@@ -165,13 +173,15 @@ def _scale(finding: Finding) -> dict[str, Any]:
     def place(point: float) -> float | None:
         return round(100 * (point - low) / width, 2) if point == point else None
 
+    least = 0.0 if finding.claim.least is None else place(finding.claim.least)
     upper = finding.claim.rule in ("at least", "above")
     return {
         "value": place(estimate.value),
         "low": place(estimate.low),
         "high": place(estimate.high),
         "threshold": place(threshold),
-        "wanted": [place(threshold), 100.0] if upper else [0.0, place(threshold)],
+        "wanted": [place(threshold), 100.0] if upper else [least, place(threshold)],
+        "references": [place(one.value) for one in references],
     }
 
 

@@ -114,7 +114,7 @@ def _analyze(experiment: Experiment, out: Path, figures_of: FiguresOf) -> Reprod
         findings=experiment.check(frame),
         evaluations=evaluations(
             frame,
-            tuple(c.name for c in experiment.conditions),
+            tuple(c.name for c in experiment.all_conditions),
             experiment.target_situations,
             experiment.further,
         ),

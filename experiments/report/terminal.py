@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from experiments.analysis.claims import verdicts
+from experiments.analysis.claims import overall
+from experiments.analysis.deciding import FAILS, HOLDS, UNDECIDED
 from experiments.report.format import (
     VERDICTS,
     finding_interval,
+    finding_references,
+    finding_remarks,
     finding_threshold,
     finding_value,
 )
@@ -20,10 +23,16 @@ if TYPE_CHECKING:
 ROOM = 110
 """Width of a terminal in which claims fit on few lines [characters]."""
 
-NARROW = {"claim": 20, "condition": 12, "95 %": 9, "holds if": 9}
+NARROW = {
+    "claim": 12,
+    "condition": 9,
+    "95 %": 8,
+    "random, persona": 7,
+    "holds if": 8,
+}
 """Columns that wrap between words where there is less room, and how wide they are."""
 
-_STYLES = {True: "green", False: "bold red"}
+_STYLES = {HOLDS: "green", FAILS: "bold red", UNDECIDED: "yellow"}
 
 
 def show(console: Console, published: Published) -> None:
@@ -34,8 +43,14 @@ def show(console: Console, published: Published) -> None:
         published: What came out.
     """
     console.print(claims_table(published, narrow=console.width < ROOM))
-    held = verdicts(published.findings)
-    console.print(f"{sum(held.values())} of {len(held)} claims hold.\n")
+    found = list(overall(published.findings).values())
+    undecided = found.count(UNDECIDED)
+    more = f", {undecided} undecided" if undecided else ""
+    console.print(f"{found.count(HOLDS)} of {len(found)} claims hold{more}.\n")
+    for finding in published.findings:
+        for remark in finding_remarks(finding):
+            where = f"{finding.claim.id} ({finding.claim.condition})"
+            console.print(f"{where}: {remark}", highlight=False)
     for sentence in published.unfinished:
         console.print(sentence, highlight=False)
     out = published.report_file.parent
@@ -67,7 +82,16 @@ def claims_table(published: Published, *, narrow: bool = False) -> Table:
     from rich.text import Text
 
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-    for heading in ("", "claim", "condition", "value", "95 %", "holds if", ""):
+    for heading in (
+        "",
+        "claim",
+        "condition",
+        "value",
+        "95 %",
+        "random, persona",
+        "holds if",
+        "",
+    ):
         width = NARROW.get(heading)
         table.add_column(
             heading, no_wrap=width is None, width=width if narrow else None
@@ -82,8 +106,9 @@ def claims_table(published: Published, *, narrow: bool = False) -> Table:
             claim.condition,
             finding_value(finding),
             finding_interval(finding),
+            finding_references(finding),
             finding_threshold(finding),
-            Text(VERDICTS[finding.holds], style=_STYLES[finding.holds]),
+            Text(VERDICTS[finding.verdict], style=_STYLES[finding.verdict]),
         )
         before = claim.id
     return table

@@ -146,12 +146,13 @@ def holds(experiment: Experiment, frame: pl.DataFrame) -> dict[str, bool]:
 
 
 def _alone(claim: Claim) -> Claim:
-    return dataclasses.replace(claim, compared=())
+    return dataclasses.replace(claim, compared=(), reference=None)
 
 
 def _fingerprint(experiment: Experiment, seeds: tuple[int, ...]) -> str:
     stated = [
-        (c.id, c.condition, c.reading, c.rule, c.threshold) for c in experiment.claims
+        (c.id, c.condition, c.reading, c.rule, c.threshold, c.least)
+        for c in experiment.claims
     ]
     return hashlib.sha256(repr((stated, seeds)).encode()).hexdigest()
 

@@ -20,7 +20,7 @@ from experiments.running.trial_columns import schema, situation_columns
 from experiments.running.trial_table import TrialTable
 from experiments.studies import factorial, sensitivity
 from household.perception.situation import Situation
-from learners.catalog import make_learner
+from learners.catalog import CATALOG, make_learner
 from policies.learning import LearningRobot, run_episode
 
 
@@ -163,12 +163,17 @@ def play_trial():
     """Returns a function that runs a trial of experiment 1 in a `PlayHome`."""
 
     def run(trial, steps=400):
+        name, home = trial.condition.learner, PlayHome(steps)
+        known = {"appropriateness": lambda state: home.appropriateness("robot_0")}
         learner = make_learner(
-            trial.condition.learner, 2, np.random.default_rng(trial.seed)
+            name,
+            2,
+            np.random.default_rng(trial.seed),
+            **{need: known[need] for need in CATALOG[name].needs},
         )
         table = TrialTable()
         robots = {"robot_0": LearningRobot(learner)}
-        run_episode(PlayHome(steps), robots, seed=trial.seed, observers=[table])
+        run_episode(home, robots, seed=trial.seed, observers=[table])
         return table.frame()
 
     return run

@@ -57,6 +57,40 @@ def test_settling_takes_until_nine_of_ten_that_follow_are_right(
     assert social.settled_after(table(entries(*behaviors)), PLAY) == after
 
 
+def test_wrong_choices_are_counted_among_the_first_ten(table):
+    behaviors = ["bark", "play"] * 4 + ["bark", "bark"] + ["bark"] * 5
+    assert social.wrong_among_first(table(entries(*behaviors)), PLAY) == 6.0
+    assert math.isnan(social.wrong_among_first(table(entries(*behaviors[:9])), PLAY))
+
+
+@pytest.mark.parametrize(
+    ("behaviors", "after"),
+    [
+        (["play"] * 5, 0),
+        (["bark", "play", "bark"] + ["play"] * 6, 3),
+        (["play"] * 4 + ["bark"] + ["play"] * 4, 9),  # never
+        ([], 0),
+    ],
+)
+def test_the_first_run_is_of_five_right_ones(table, behaviors, after):
+    assert social.first_run(table(entries(*behaviors)), PLAY) == after
+
+
+def test_what_a_learner_knows_shows_in_its_greedy_choice_and_in_the_order_of_q(table):
+    knows = table(entries(*["bark"] * 4), q=[q(0.5)] * 4)
+    errs = table(entries(*["play"] * 4), q=[q(-0.5)] * 4)
+    blank = table(entries(*["play"] * 4), q=[q(0.0)] * 4)
+    found = [social.greedy_right(trial, PLAY) for trial in (knows, errs, blank)]
+    assert found == [1.0, 0.0, 0.5]
+    assert [social.ordered(trial, PLAY) for trial in (knows, errs, blank)] == [
+        True,
+        False,
+        False,
+    ]
+    assert math.isnan(social.greedy_right(knows, CALL))
+    assert not social.ordered(knows, CALL)
+
+
 def test_the_right_share_is_that_of_the_last_quarter(table):
     frame = table(entries(*["bark"] * 6, "play", "bark"))
     assert social.right_share(frame, PLAY) == 0.5

@@ -4,6 +4,7 @@ import numpy as np
 import polars as pl
 import pytest
 
+from experiments.analysis.claims import CEILING, FLOOR
 from experiments.paper import EXPERIMENTS, reading_situations, table_1
 from experiments.paper.e2 import lowest_mean
 from experiments.running.trial import describe_condition
@@ -39,12 +40,34 @@ def test_conditions_differ_in_their_learners_alone(number):
 
 
 @pytest.mark.parametrize("number", range(1, 6))
+def test_what_is_run_beside_has_names_of_its_own_and_can_be_described(number):
+    experiment = EXPERIMENTS[number]
+    names = [condition.name for condition in experiment.all_conditions]
+    assert len(set(names)) == len(names)
+    assert {FLOOR, CEILING} < set(names)
+    for condition in experiment.beside:
+        scenario = describe_condition(condition)["scenario"]
+        assert scenario["name"] == experiment.name
+
+
+def test_in_the_other_reading_of_experiment_5_everybody_looks_at_the_robot_at_times():
+    found = describe_condition(EXPERIMENTS[5].condition("swap_watching"))
+    stages = [stage for one in found["scenario"]["people"] for stage in one["script"]]
+    assert len(stages) == 12
+    assert {stage["look_at"] for stage in stages} == {"robot_0"}
+    plain = describe_condition(EXPERIMENTS[5].condition("swap"))
+    stages = [stage for one in plain["scenario"]["people"] for stage in one["script"]]
+    assert [stage["look_at"] for stage in stages].count(None) == 2
+
+
+@pytest.mark.parametrize("number", range(1, 6))
 def test_figures_and_claims_name_conditions_that_are_run(number):
     experiment = EXPERIMENTS[number]
-    names = {condition.name for condition in experiment.conditions}
+    names = {condition.name for condition in experiment.all_conditions}
     assert {figure.condition for figure in experiment.figures} <= names
     for claim in experiment.claims:
-        for measure in (claim.measure, *claim.compared):
+        bounds = map(claim.reference, (FLOOR, CEILING)) if claim.reference else ()
+        for measure in (claim.measure, *claim.compared, *bounds):
             assert set(measure.conditions) <= names
             assert measure.conditions or measure.label == "no trials"
 

@@ -6,7 +6,7 @@ from html.parser import HTMLParser
 import polars as pl
 import pytest
 
-from experiments.analysis.claims import verdicts
+from experiments.analysis.claims import overall, verdicts
 from experiments.analysis.evaluation import evaluations
 from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS
@@ -63,6 +63,13 @@ def test_claims_json_holds_every_claim_with_value_interval_threshold_verdict(out
         assert keys <= set(claim)
         assert claim["low"] <= claim["value"] <= claim["high"]
         assert claim["n"] == 4
+        assert claim["verdict"] in ("holds", "fails", "undecided")
+        if claim["id"] == "1c":  # about what a learner believes
+            assert claim["floor"] is claim["ceiling"] is claim["standing"] is None
+        else:
+            learned = {"1a": (0.0, 1.0), "1b": (1.0, 0.0)}
+            reached = claim["floor"]["value"], claim["ceiling"]["value"]
+            assert reached == learned[claim["id"]]
 
 
 def test_publishing_again_gives_the_same_files_and_drops_old_replays(out):
@@ -83,7 +90,7 @@ def test_an_unfinished_experiment_is_left_out_and_said_to_be(out, tmp_path):
     shutil.copytree(out / E1.name, tmp_path / E1.name)
     study = E1.study((0, 1, 2, 3))
     Results(tmp_path / E1.name).file(study.trials()[0]).unlink()
-    with pytest.raises(ExperimentError, match="1 of 8 trials are missing"):
+    with pytest.raises(ExperimentError, match="1 of 16 trials are missing"):
         publish(tmp_path)
 
 
@@ -142,13 +149,16 @@ def test_no_id_is_used_twice_in_the_report(page):
     assert len(ids) == len(set(ids)) > 50
 
 
-def test_the_report_says_each_claim_its_verdict_and_the_configuration(page):
+def test_the_report_says_each_claim_its_verdict_and_the_configuration(page, published):
     text = " ".join(" ".join(page.text).split())
     for claim in E1.claims:
         assert claim.text in text
         assert claim.reading in text
-    assert "✓ holds" in text
-    assert "✗ fails" in text
+    signs = {"holds": "✓ holds", "fails": "✗ fails", "undecided": "? undecided"}
+    for verdict in overall(published.findings).values():
+        assert signs[verdict] in text
+    assert "seeds would decide" in text
+    assert "Random, persona" in text
     assert '"made": "up"' in text
     assert "Seeds 0 to 3." in text
     for method in ("Cumulative reward", "Frequency of rewards", "Q-table", "opinion"):
