@@ -47,13 +47,14 @@ def train(steps, seed=0, n_homes=16):
         .reporting(metrics_num_episodes_for_smoothing=n_homes)
         .debugging(seed=seed)
     )
-    algorithm, curve, done = config.build_algo(), [], 0
+    algorithm, curve, done, counted, hours = config.build_algo(), [], 0, 0, 0.0
     while done < steps:
         told = algorithm.train()["env_runners"]
         done = told["num_env_steps_sampled_lifetime"]
-        if "episode_return_mean" in told:
-            hours = done / told["episode_len_mean"] * MINUTES / 60
+        if told.get("episode_return_mean", np.nan) > -np.inf:  # if any has ended
+            hours += (done - counted) / told["episode_len_mean"] * MINUTES / 60
             curve.append((hours, told["episode_return_mean"] / MINUTES))
+            counted = done
     module = algorithm.get_module("all")
     algorithm.stop()
     ray.shutdown()

@@ -72,7 +72,7 @@ def learned(example: Path, steps: int) -> dict[str, Any]:
         "steps": steps,
         "seconds": round(took, 1),
         "versions": _versions(),
-        "curve": [[round(hours, 4), round(reward, 4)] for hours, reward in curve],
+        "curve": [[round(float(h), 4), round(float(r), 4)] for h, r in curve],
         "family": json.loads(to_json(evaluation.families[0])),
     }
 
@@ -95,12 +95,23 @@ def page(documents: Sequence[Mapping[str, Any]]) -> str:
     """
     family = documents[0]["family"]
     best = f"always {family['best_constant']}"
+    constants = [name for name in family["scores"] if name.startswith("constant:")]
+    dearest = max(
+        constants, key=lambda n: family["scores"][n]["reward_per_minute"]["value"]
+    )
+    liked = dearest.partition(":")[2]
     return render(
         "libraries.md.j2",
         documents=documents,
+        demand=family["demand"],
         names=EXAMPLES,
         scores=family["scores"],
-        references=[(n, best if n == "best constant" else n) for n in REFERENCES],
+        references=[
+            *((n, best if n == "best constant" else n) for n in REFERENCES),
+            (dearest, f"always {liked}"),
+        ],
+        liked=liked,
+        dearest=family["scores"][dearest],
         households=HOUSEHOLDS,
         hours={one["example"]: one["curve"][-1][0] for one in documents},
     )
