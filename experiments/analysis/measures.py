@@ -168,6 +168,15 @@ def final_q(trial: pl.DataFrame, situation: str | None) -> dict[str, float]:
     return {name: float(curve[-1]) for name, curve in curves.items() if len(curve)}
 
 
+def masters(trial: pl.DataFrame, situation: str | None) -> bool:
+    """Returns whether at least 90 % of the last quarter of the choices are right.
+
+    What there is of `converged` for a policy that has no Q-values of its own.
+    """
+    last = last_quarter(decisions(trial, situation))
+    return not last.is_empty() and appropriate(last).mean() >= CONVERGED_SHARE
+
+
 def converged(trial: pl.DataFrame, situation: str | None) -> bool:
     """Returns whether a situation was learned.
 
@@ -175,9 +184,9 @@ def converged(trial: pl.DataFrame, situation: str | None) -> bool:
     and at the end the Q-value of the appropriate behavior (in the last decision) is
     above all others.
     """
-    last = last_quarter(decisions(trial, situation))
-    if last.is_empty() or appropriate(last).mean() < CONVERGED_SHARE:
+    if not masters(trial, situation):
         return False
+    last = last_quarter(decisions(trial, situation))
     wanted: dict[str, float] = last["appropriateness"][-1]
     best = max(wanted.values()) - 1e-9
     values = final_q(trial, situation)

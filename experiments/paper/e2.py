@@ -29,6 +29,10 @@ def _converged(trial: pl.DataFrame) -> float:
     return measures.converged(trial, PLAY.find(trial))
 
 
+def _masters(trial: pl.DataFrame) -> float:
+    return measures.masters(trial, PLAY.find(trial))
+
+
 def _settled(trial: pl.DataFrame) -> float:
     return social.settled_after(trial, PLAY.find(trial))
 
@@ -106,7 +110,7 @@ CLAIMS = (
         measure=measures.of(SOCIAL, _converged),
         rule="at least",
         threshold=0.9,
-        reference=measures.on_references(_converged),
+        reference=measures.on_references(_masters),
         compared=(
             *measures.of_each(CONTROLS, _converged),
             measures.of(SOCIAL, _converged_ignored, label=f"{SOCIAL}, in IGNORE"),

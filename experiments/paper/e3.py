@@ -33,6 +33,11 @@ def converged_in_both(trial: pl.DataFrame) -> float:
     return all(measures.converged(trial, one.find(trial)) for one in TARGET_SITUATIONS)
 
 
+def masters_both(trial: pl.DataFrame) -> float:
+    """Returns 1 if the choices in S11 and in S52 became right, else 0."""
+    return all(measures.masters(trial, one.find(trial)) for one in TARGET_SITUATIONS)
+
+
 def astray(trial: pl.DataFrame) -> float:
     """Returns the share of the touches meant for S52 that another pair got."""
     return 1.0 - social.credit_accuracy(trial, S52.find(trial))
@@ -110,7 +115,7 @@ def _claims(condition: str, compared: tuple[str, ...]) -> tuple[Claim, ...]:
             rule="at most",
             threshold=0.2,
             compared=measures.of_each(compared, converged_in_both),
-            reference=measures.on_references(converged_in_both),
+            reference=measures.on_references(masters_both),
         ),
         Claim(
             id="3b",

@@ -15,6 +15,7 @@ from experiments.paper.e3 import (
     TARGET_SITUATIONS,
     converged_in_both,
     figure,
+    masters_both,
     silence_controls,
 )
 from experiments.paper.experiment import Experiment
@@ -59,7 +60,7 @@ EXPERIMENT = Experiment(
             rule="at least",
             threshold=0.9,
             compared=measures.of_each((*CONTROLS, *SILENCE), converged_in_both),
-            reference=measures.on_references(converged_in_both),
+            reference=measures.on_references(masters_both),
         ),
         Claim(
             id="4b",

@@ -50,15 +50,18 @@ def test_eight_of_the_last_ten_are_not_enough(table):
     behaviors = ["play"] * 30 + ["bark"] * 2 + ["play"] * 8
     frame = table(entries(*behaviors), updates=learned(0.5, 0.1, 40))
     assert not measures.converged(frame, PLAY)
+    assert not measures.masters(frame, PLAY)
 
 
 @pytest.mark.parametrize("bark", [0.5, 0.6])
 def test_right_choices_without_the_highest_value_are_not_enough(table, bark):
     frame = table(entries(*["play"] * 40), updates=learned(0.5, bark, 40))
     assert not measures.converged(frame, PLAY)
+    assert measures.masters(frame, PLAY)
 
 
 def test_a_situation_that_never_was_is_not_converged(table):
+    assert not measures.masters(table(entries("play")), CALL)
     assert not measures.converged(table(entries("play")), CALL)
     assert not measures.converged(table(entries("play")), None)
 
