@@ -24,8 +24,8 @@ ROOM = 110
 """Width of a terminal in which claims fit on few lines [characters]."""
 
 NARROW = {
-    "claim": 12,
-    "condition": 9,
+    "claim": 11,
+    "condition": 10,
     "95 %": 8,
     "random, persona": 7,
     "holds if": 8,
