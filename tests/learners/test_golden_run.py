@@ -67,7 +67,7 @@ def test_watching_a_run_does_not_change_it(run, entry, touch):
         for each in (0, 1):
             watched.q_values(each)
             watched.rate(watched.table.updates, watched.table.visits(each)[0], None)
-            watched.network.predict(each, 0)
+            watched.network.probability(each, each, 0)
         value = 1.0 if action == state else -1.0
         felt = (touch(value=value, time=time + 1.0),) if speaks else ()
         watched.learn(entry(state, action, float(time), *felt, next_state=following))

@@ -82,7 +82,7 @@ def test_a_study_has_a_question_contrasts_and_conditions_that_can_be_run(name):
 
 @pytest.mark.parametrize("name", [n for n in NAMES if n != "tuning"])
 def test_studies_have_as_many_seeds_as_the_protocol_wants(name):
-    few = ("homes", "teachers", "robots", "cross_play")
+    few = ("homes", "teachers", "robots", "cross_play", "deep")
     assert inquiry(name).seeds == (10 if name in few else 20)
 
 
