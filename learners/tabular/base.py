@@ -99,10 +99,18 @@ class CreditedLearner(ABC):
         """Refuse a table that is not this learner's.
 
         Raises:
-            SavedFileError: if it has another number of columns.
+            SavedFileError: if it has another number of columns, or rows of another
+                representation.
         """
         if self.table.n_behaviors != self.columns * self.n_behaviors:
             raise SavedFileError("the table is not as wide as the learner needs it")
+        by_person = self.representation.by_person
+        if by_person and not all(map(_is_of_a_person, self.table.rows)):
+            name = type(self.representation).__name__
+            raise SavedFileError(
+                f"the table was learned in another representation than {name}, which "
+                "keeps rows by person"
+            )
 
     @property
     def credits(self) -> tuple[Credit, ...]:
@@ -252,3 +260,8 @@ class CreditedLearner(ABC):
             shares=tuple((entries[i], weights[i]) for i in sorted(weights)),
             designated=meant,
         )
+
+
+def _is_of_a_person(row: Hashable) -> bool:
+    """Whether a row may be that of a part and a person."""
+    return type(row) is tuple and len(row) == 2

@@ -84,6 +84,14 @@ def test_only_declared_fields_are_set(written, saved_learner):
     assert type(learner).__name__ == "QLearner"
 
 
+@pytest.mark.parametrize("other", ["Views", "AudibleViews", "NestedViews"])
+def test_a_table_of_another_representation_is_refused_by_name(
+    written, saved_learner, other
+):
+    saved_learner["data"]["representation"] = {"object": other, "data": {}}
+    assert f"another representation than {other}" in refused(written(saved_learner))
+
+
 def test_a_file_that_is_too_large_is_not_read(written, saved_learner, monkeypatch):
     path = written(saved_learner)
     monkeypatch.setattr(files, "LARGEST", 1000)
