@@ -243,6 +243,7 @@ class Results:
 
 def _labels(trials: Sequence[Trial], rows: Sequence[int]) -> polars.DataFrame:
     """Which trial each row is of: its condition, its seed and its factors."""
+    import numpy as np
     import polars as pl
 
     named = [
@@ -255,9 +256,7 @@ def _labels(trials: Sequence[Trial], rows: Sequence[int]) -> polars.DataFrame:
     ]
     schema = dict.fromkeys(named[0], pl.String) | {"seed": pl.Int32}
     each = pl.DataFrame(named, schema_overrides=schema, infer_schema_length=None)
-    numbers = pl.Series("number", range(len(rows)), dtype=pl.UInt32)
-    at = numbers.repeat_by(pl.Series(rows)).explode()
-    return each[at]
+    return each[np.repeat(np.arange(len(rows)), rows)]
 
 
 def versions() -> dict[str, str]:
