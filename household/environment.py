@@ -351,6 +351,8 @@ class Household(ParallelEnv[str, Observation, int], EzPickle):
         self._check_begun()
         n, robot = len(self.simulation.people.everyone), self._robot(agent)
         crowd = self.simulation.crowd
+        if True not in crowd.walking[:n].tolist():  # Mostly nobody walks.
+            return False
         way = crowd.position[n + robot] - crowd.position[:n]
         return bool((crowd.walking[:n] & faces(crowd.heading[:n], way)).any())
 
