@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -119,7 +120,5 @@ def _film(
 
     from household.replay.rendering import write_film
 
-    def tracked(replay):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-        return track(replay, "Making the film")
-
-    write_film(path, out, size, speed, tracked)
+    progress = partial(track, description="Making the film")
+    write_film(path, out, size, speed, progress)

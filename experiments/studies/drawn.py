@@ -6,18 +6,19 @@ its probe score, there or in a household of which something is drawn anew.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from experiments.phases.robots import Diary
 from experiments.running.study import Condition, Trial
 from experiments.running.trial import describe, make_learner_of
 from experiments.scoring.moments import ProbeSet, probe_set
 from experiments.scoring.policies import of_learner
 from experiments.scoring.scores import probe_score
-from policies.learning import Home, LearningRobot, Observer, run_episode
+from policies.learning import LearningRobot, run_episode
 
 if TYPE_CHECKING:
     import polars
@@ -132,7 +133,7 @@ def _learned(
     seed: np.random.SeedSequence,
 ) -> dict[str, float]:
     """Lets one robot learn for an episode; what it lived through, in numbers."""
-    watch = _Diary()
+    watch = Diary()
     if decisions:
         robots = {agent: LearningRobot(learner) for agent in env.possible_agents}
         episode = int(seed.generate_state(1)[0])
@@ -151,26 +152,3 @@ def _best_constant(probes: ProbeSet, n_behaviors: int) -> float:
         probe_score([behavior] * len(moments), moments)
         for behavior in range(n_behaviors)
     )
-
-
-class _Diary(Observer):
-    """Counts what robots live through as they learn."""
-
-    def __init__(self) -> None:
-        self.touches, self.choices, self.met = 0, 0, 0
-        self._known: set[Hashable] = set()
-
-    def acted(self, env: Home, robots: Mapping[str, LearningRobot]) -> None:
-        """Counts choices, and those made in a situation that was met before."""
-        for robot in robots.values():
-            pair = robot.pair
-            if pair is not None and pair.chosen and pair.decision == env.decision:
-                self.choices += 1
-                self.met += pair.state in self._known
-                self._known.add(pair.state)
-
-    def stepped(
-        self, env: Home, actions: Mapping[str, int], robots: Mapping[str, LearningRobot]
-    ) -> None:
-        """Counts touches."""
-        self.touches += sum(len(env.feedback(agent)) for agent in robots)
