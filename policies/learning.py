@@ -145,8 +145,9 @@ class LearningRobot:
         self.experience, self.credits = None, ()
         if self.pair is None:
             return
-        self._felt += [reward_of(each) for each in env.feedback(agent)]
-        self._attended |= bool(env.attended(agent))
+        if felt := env.feedback(agent):
+            self._felt += map(reward_of, felt)
+        self._attended = self._attended or bool(env.attended(agent))
         if ends or state != self.pair.state:
             self._learn(self.pair, state, env.time, env.approached(agent))
 

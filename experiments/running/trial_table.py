@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 import numpy as np
 import polars as pl
 
+from experiments.running.frames import frame_of
 from experiments.running.trial_columns import (
     SITUATION,
     key_of,
@@ -88,10 +89,8 @@ class TrialTable(Observer):
     def frame(self) -> pl.DataFrame:
         """Returns the table so far, robot by robot, in the order of time."""
         rows = [row for diary in self._diaries.values() for row in diary.rows]
-        table = pl.DataFrame(rows, rows_schema(self._behaviors), orient="row")
-        situations = pl.DataFrame(
-            map(situation_columns, self._keys), SITUATION, orient="row"
-        )
+        table = frame_of(rows, rows_schema(self._behaviors))
+        situations = frame_of(list(map(situation_columns, self._keys)), SITUATION)
         whole = table.join(situations, "situation", "left", maintain_order="left")
         return whole.select(schema(self._behaviors).names())
 

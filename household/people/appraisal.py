@@ -10,7 +10,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from household.activity import Activity
-from household.compiled.arrays import Floats, Indices, Mask
+from household.compiled.arrays import Floats, Indices
 from household.compiled.jit import compiled
 from household.people.appearance import Appearance
 from household.people.mind import Appraisals
@@ -38,6 +38,8 @@ class Preferences:
     Attributes:
         values: Shape (n, n_activities, 2, n_behaviors), in [-1, 1]; the third axis
             says whether the person attends to the robot.
+        on_average: The same for everybody: what to expect of somebody who lives here,
+            without knowing who it is.
     """
 
     def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
@@ -45,29 +47,8 @@ class Preferences:
         self.values = np.array([p.preferences for p in everyone]).reshape(
             n, len(Activity), 2, -1
         )
-        # What to expect of somebody who lives here, without knowing who it is.
         average = self.values.mean(axis=0, keepdims=True)
-        self._expected = np.broadcast_to(average, self.values.shape)
-        self._rows = np.arange(n)[:, None]
-
-    def now(
-        self, activity: Indices, attends: Mask, *, on_average: bool = False
-    ) -> Floats:
-        """What everybody prefers of each robot right now.
-
-        Args:
-            activity: The role that each plays, shape (n,).
-            attends: Whether each person attends to each robot, shape (n, n_robots).
-            on_average: As if each were the average of those who live here.
-
-        Returns:
-            Shape (n, n_robots, n_behaviors), in [-1, 1].
-        """
-        values = self._expected if on_average else self.values
-        preferred: Floats = values[
-            self._rows, activity[:, None], attends.astype(np.intp)
-        ]
-        return preferred
+        self.on_average = np.repeat(average, n, axis=0)
 
 
 class Appraisers(NamedTuple):

@@ -17,7 +17,7 @@ from household.home.navigation.routes import BODY
 from household.motion.bodies import BodyParams, Pursuit
 from household.motion.crowd import Crowd
 from household.observation.kernel import View
-from household.people.appraisal import heard_strength, seen_strength
+from household.people.appropriateness import weigh_behaviors
 from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import MakeMinds, People
@@ -149,6 +149,17 @@ class Simulation(Stateful):
         noise, mood = scenario.perception.mood_noise, self.people.feelings.mood
         self._misread = bind(misread, mood, noise, self.moods)
         self._motions = [MOTIONS[b.motion] for b in scenario.repertoire]
+        preferences = self.people.preferences
+        self._weigh_behaviors, self._weigh_on_average = (
+            bind(
+                weigh_behaviors,
+                values,
+                np.array([behavior.loudness for behavior in scenario.repertoire]),
+                self.people.appearance.activity,
+                self.senses.relations,
+            )
+            for values in (preferences.values, preferences.on_average)
+        )
         self.view = self._view()
 
     def begin(self, seed: int | None) -> None:
@@ -316,16 +327,10 @@ class Simulation(Stateful):
         Returns:
             Shape (n_behaviors,), in [-1, 1].
         """
-        n, target = self._n_people, self._n_people + robot
-        relations = self.senses.relations
-        loudness = np.array([b.loudness for b in self.scenario.repertoire])
-        heard = heard_strength(loudness - relations.loss[:n, target, None])
-        seen = seen_strength(relations.attention[:n, target, None])
-        attends = relations.attends[:n, n:]
-        liked = self.people.preferences.now(
-            self.people.appearance.activity, attends, on_average=on_average
-        )[:, robot]
-        return (liked * np.maximum(seen, heard)).mean(axis=0)
+        weigh = self._weigh_on_average if on_average else self._weigh_behaviors
+        appropriateness = np.zeros(len(self.scenario.repertoire))
+        weigh(robot, appropriateness)
+        return appropriateness
 
 
 def _known(moment: float) -> float | None:
