@@ -57,7 +57,7 @@ def test_an_episode_is_recorded_and_read_back(tmp_path):
     while env.agents:
         env.step(dict.fromkeys(env.agents, 0))
     env.close()
-    replay = read_replay(tmp_path / "episode_00000.rrd")
+    replay = read_replay(tmp_path / "episode_00000.rrd", tried=True)
     last = env.unwrapped.simulation.crowd.position
     assert np.array_equal(replay.snapshot(20).position, last)
 

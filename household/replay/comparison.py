@@ -16,7 +16,6 @@ import numpy as np
 from household.errors import HouseholdError, shown_path
 from household.replay import views
 from household.replay.blueprint import time_panel
-from household.replay.probing import check_readable
 from household.replay.reading import Replay, read_replay
 from household.replay.stream import Stream
 from household.simulation.moment import FIELDS
@@ -113,8 +112,6 @@ def join(one: Path, other: Path, out: Path) -> Parting | None:
     Raises:
         HouseholdError: If one cannot be read, or they are of different homes.
     """
-    for path in (one, other):
-        check_readable(path)
     replays = [read_replay(path) for path in (one, other)]
     try:
         parted = parting(*replays)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
+from household.replay.probing import check_readable
 
 
 class Event(NamedTuple):
@@ -24,7 +25,7 @@ class Event(NamedTuple):
     text: str
 
 
-def find(path: Path | str, words: str) -> list[Event]:
+def find(path: Path | str, words: str, *, tried: bool = False) -> list[Event]:
     """Events whose kind or text contains some words, in the order of time.
 
     Only events are read of the file, not its moments.
@@ -32,10 +33,13 @@ def find(path: Path | str, words: str) -> list[Event]:
     Args:
         path: The replay.
         words: As in "tap by father" or "mistake"; case does not matter.
+        tried: As for `read_replay`.
 
     Raises:
         HouseholdError: If there is none, or the file cannot be read.
     """
+    if not tried:
+        check_readable(path)
     asked = " ".join(words.split()).casefold()
     found = [
         event

@@ -1,7 +1,7 @@
-"""Trying out in another process whether a replay file can be read.
+"""Trying out in another process whether replay files can be read.
 
 Rerun's reader ends its whole process at some files that were damaged or forged. Where a
-person gives a file to a command, another process is therefore the first to read it.
+file may come from anywhere, another process is therefore the first to read it.
 """
 
 import subprocess
@@ -18,28 +18,31 @@ import sys
 from household.errors import HouseholdError
 from household.replay.reading import read_replay
 try:
-    read_replay(sys.argv[1])
+    for path in sys.argv[1:]:
+        print("next", flush=True)
+        read_replay(path, tried=True)
 except HouseholdError as error:
     sys.exit(f"\\n{error}")
 """
 
 
-def check_readable(path: Path | str) -> None:
-    """Has another process read a replay file.
+def check_readable(*paths: Path | str) -> None:
+    """Has another process read replay files, one after the other.
 
     Raises:
-        HouseholdError: If it cannot be read; one line that names the file.
+        HouseholdError: If one cannot be read; one line that names the file.
     """
-    command = [sys.executable, "-c", _READ, str(path)]
+    command = [sys.executable, "-c", _READ, *map(str, paths)]
     try:
         done = subprocess.run(
             command, capture_output=True, text=True, timeout=WITHIN, check=False
         )
     except (OSError, ValueError, subprocess.TimeoutExpired) as error:
-        reason = " ".join(str(error).split()).replace(str(path), "it")
-        raise HouseholdError(f"{shown_path(path)}: {shown_path(reason)}") from None
+        reason = " ".join(str(error).split()).replace(str(paths[0]), "it")
+        raise HouseholdError(f"{shown_path(paths[0])}: {shown_path(reason)}") from None
     if done.returncode == 0:
         return
     if done.returncode == 1 and done.stderr:
         raise HouseholdError(done.stderr.splitlines()[-1])
-    raise HouseholdError(f"{shown_path(path)}: damaged; Rerun cannot read it")
+    last = paths[max(len(done.stdout.splitlines()), 1) - 1]
+    raise HouseholdError(f"{shown_path(last)}: damaged; Rerun cannot read it")

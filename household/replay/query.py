@@ -16,6 +16,7 @@ import numpy as np
 
 from household.errors import HouseholdError, shown_path
 from household.perception.reading import SituationReader
+from household.replay.probing import check_readable
 from household.replay.reading import Replay, read_replay
 
 if TYPE_CHECKING:
@@ -70,10 +71,11 @@ def read(path: Path | str) -> Frames:
     files = sorted(place.rglob(f"*{ENDING}")) if place.is_dir() else [place]
     if not files:
         raise HouseholdError(f"{shown_path(path)}: no recordings in this folder")
+    check_readable(*files)
     tables: dict[str, list[pl.DataFrame]] = {}
     for file in files:
         name = str(file.relative_to(place).as_posix() if place.is_dir() else file.name)
-        for kind, rows, schema in _tables(read_replay(file)):
+        for kind, rows, schema in _tables(read_replay(file, tried=True)):
             frame = pl.DataFrame(list(rows), schema, orient="row")
             whole = frame.select(pl.lit(name).alias("recording"), pl.all())
             tables.setdefault(kind, []).append(whole)

@@ -11,6 +11,7 @@ from household.compiled.arrays import Floats, Integers
 from household.config.toml import convert
 from household.errors import LONGEST, HouseholdError, shown_path
 from household.replay.chunks import Table, read_tables
+from household.replay.probing import check_readable
 from household.replay.touches import touches_of
 from household.scenario.scenario import Scenario
 from household.simulation.moment import DECISION, Moments, recorded_types
@@ -69,12 +70,20 @@ class Replay:
         return (self.snapshot(index) for index in range(len(self)))
 
 
-def read_replay(path: Path | str) -> Replay:
+def read_replay(path: Path | str, *, tried: bool = False) -> Replay:
     """Reads a replay file, also one that a kill cut off.
+
+    Args:
+        path: The file.
+        tried: Whether it is known that reading it does no harm, as with a file of one's
+            own. Else another process reads it first, which takes a second or two, since
+            some forged files end the process that reads them.
 
     Raises:
         HouseholdError: If it cannot be read or is no replay of a household.
     """
+    if not tried:
+        check_readable(path)
     tables, origin = read_tables(Path(path)), shown_path(path)
     if not {"__properties/household", "state"} <= tables.keys():
         raise HouseholdError(

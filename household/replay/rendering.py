@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from household.errors import HouseholdError, shown_path
-from household.replay.probing import check_readable
 from household.replay.reading import Replay, read_replay
 from household.simulation.snapshot import Snapshot
 from household.view import figure, film
@@ -44,7 +43,6 @@ def write_picture(
     Raises:
         HouseholdError: If there is no such moment, or it cannot be written.
     """
-    check_readable(path)
     replay = read_replay(path)
     index = len(replay) - 1 if at is None else at
     if not 0 <= index < len(replay):
@@ -77,7 +75,6 @@ def write_film(
     Raises:
         HouseholdError: If the extra ``render`` is missing.
     """
-    check_readable(path)
     replay, gif = read_replay(path), Path(out).suffix.lower() == ".gif"
     size = size or (SMALL if gif else film.SIZE)
     most = GIF_FPS if gif else film.MOST_FPS

@@ -7,7 +7,6 @@ from urllib.parse import quote
 
 from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
-from household.replay.probing import check_readable
 from household.replay.process import LOOPBACK, free_ports, start_viewer
 from household.replay.serving import moment_of, served
 
@@ -109,7 +108,6 @@ def view(
     Raises:
         HouseholdError: If the file is no replay or the viewer does not run.
     """
-    check_readable(path)
     _open(Path(path), web=web, at=at, show=show)
 
 

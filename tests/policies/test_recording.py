@@ -46,7 +46,7 @@ def lived(tmp_path):
         notes, path = Notes(), tmp_path / "learning.rrd"
         observers = [notes, RecordingObserver(path, flush_every=64)]
         run_episode(env, robots, seed=3, observers=observers)
-        return notes, read_replay(path)
+        return notes, read_replay(path, tried=True)
 
     return live
 
@@ -82,7 +82,9 @@ def test_a_second_episode_gets_a_file_of_its_own(tmp_path):
     observer = RecordingObserver(tmp_path / "home.rrd")
     for _ in range(2):
         run_episode(env, {"robot_0": LearningRobot(learner)}, observers=[observer])
-    assert [len(read_replay(tmp_path / f"home{k}.rrd")) for k in ("", "_1")] == [6, 6]
+    assert [
+        len(read_replay(tmp_path / f"home{k}.rrd", tried=True)) for k in ("", "_1")
+    ] == [6, 6]
 
 
 def test_the_file_holds_each_choice_with_what_the_learner_knew(lived):

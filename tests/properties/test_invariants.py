@@ -119,7 +119,7 @@ def test_touches_are_the_events_of_the_replay(explore, tmp_path):
                 )
             )
         env.close()
-        replay = read_replay(tmp_path / "episode_00000.rrd")
+        replay = read_replay(tmp_path / "episode_00000.rrd", tried=True)
         assert len(replay) == len(lived) + 1
         for moment, (rewards, touches) in enumerate(lived, start=1):
             shown = replay.snapshot(moment)

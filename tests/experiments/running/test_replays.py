@@ -20,7 +20,7 @@ def replay(tmp_path_factory):
 
 
 def test_a_replay_shows_every_decision_from_the_reset_to_the_end(replay):
-    assert read_replay(replay).moments.decision.tolist() == list(range(61))
+    assert read_replay(replay, tried=True).moments.decision.tolist() == list(range(61))
 
 
 def test_nothing_but_the_replay_is_left_behind(replay):

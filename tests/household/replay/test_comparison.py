@@ -48,7 +48,7 @@ def other(record):
 
 def test_recordings_of_one_seed_are_equal_also_to_reruns_own_comparison(record, one):
     again = record()
-    assert parting(read_replay(one), read_replay(again)) is None
+    assert parting(read_replay(one, tried=True), read_replay(again, tried=True)) is None
     assert compared(one, again).returncode == 0
 
 
@@ -72,7 +72,7 @@ def rerun(*words):
 
 
 def test_they_part_in_the_step_after_the_first_other_choice(one, other):
-    replays = read_replay(one), read_replay(other)
+    replays = read_replay(one, tried=True), read_replay(other, tried=True)
     parted = parting(*replays)
     assert parted.decision == PARTS + 1
     assert parted.time == (PARTS + 1) * replays[0].scenario.decision_period
@@ -85,7 +85,9 @@ def test_they_part_in_the_step_after_the_first_other_choice(one, other):
 
 
 def test_other_seeds_differ_from_the_beginning(record, one):
-    parted = parting(read_replay(one), read_replay(record(seed=6)))
+    parted = parting(
+        read_replay(one, tried=True), read_replay(record(seed=6), tried=True)
+    )
     assert parted.decision < 5
     assert parted.what
 

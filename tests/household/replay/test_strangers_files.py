@@ -10,7 +10,8 @@ import pytest
 
 from household import household_v0
 from household.errors import HouseholdError
-from household.replay import RecordEpisodes, chunks, probing
+from household.replay import RecordEpisodes, chunks, probing, query
+from household.replay.finding import find
 from household.replay.reading import read_replay
 from household.replay.rendering import write_film, write_picture
 from household.replay.viewer import choose, recordings, view
@@ -45,7 +46,7 @@ def read(tmp_path):
     def read(content):
         path.write_bytes(content)
         try:
-            return read_replay(path)
+            return read_replay(path, tried=True)
         except HouseholdError as error:
             said = str(error)
         assert said.startswith(f"{path}: ")
@@ -104,7 +105,7 @@ from household.errors import HouseholdError
 from household.replay.reading import read_replay
 for path in sys.argv[1:]:
     try:
-        read_replay(path)
+        read_replay(path, tried=True)
         print("read", flush=True)
     except HouseholdError as error:
         good = str(error).startswith(path) and str(error).isprintable()
@@ -154,18 +155,29 @@ def test_a_file_that_ends_its_reader_is_refused_in_one_line(tmp_path, monkeypatc
         probing.check_readable(tmp_path / "a.rrd")
 
 
+def test_of_many_files_the_one_that_ends_the_reader_is_named(tmp_path, monkeypatch):
+    script = "import os; print('next'); print('next', flush=True); os.abort()"
+    monkeypatch.setattr(probing, "_READ", script)
+    with pytest.raises(HouseholdError, match=r"b\.rrd: damaged; Rerun cannot read it"):
+        probing.check_readable(*(tmp_path / f"{name}.rrd" for name in "abc"))
+
+
 @pytest.mark.parametrize(
     "show",
     [
+        read_replay,
+        query.read,
+        lambda path: find(path, "tap"),
         view,
         lambda path: write_picture(path, "no.png"),
         lambda path: write_film(path, "no.mp4"),
     ],
 )
-def test_a_file_is_tried_out_in_another_process_first(tmp_path, show):
+def test_a_file_is_tried_out_in_another_process_first(tmp_path, show, monkeypatch):
     path = tmp_path / "a.rrd"
     path.write_bytes(b"x" * 1000)
-    with pytest.raises(HouseholdError, match=r"a\.rrd: "):
+    monkeypatch.setattr(probing, "_READ", "import os; os.abort()")
+    with pytest.raises(HouseholdError, match=r"a\.rrd: damaged; Rerun cannot read it"):
         show(path)
 
 
@@ -184,7 +196,7 @@ def test_a_file_that_is_too_large_is_not_read(whole, read, monkeypatch):
 def test_a_name_that_no_file_has_is_refused_in_one_line(tmp_path, name):
     for path in (tmp_path / name, tmp_path / f"{name}.rrd"):
         with pytest.raises(HouseholdError) as caught:
-            read_replay(path)
+            read_replay(path, tried=True)
         assert str(caught.value).isprintable()
         assert len(str(caught.value)) < 400
 
