@@ -29,9 +29,10 @@ class Persona(Record, frozen=True, kw_only=True):
             praise the next one (paper, section 5.1: rewards become fewer).
         recovery: Time constant with which that wish comes back while nothing that
             pleases goes on [s]; habituation recovers when its stimulus is withheld.
-        contrast: Share of the lost wish that comes back when the robot did wrong
-            (paper, section 5.2: "most of the positive rewards are given after the
-            system has been punished and changed its behavior").
+        contrast: Share of the lost wish that comes back when it gave the robot a
+            wholehearted tap (paper, section 5.2: "most of the positive rewards are
+            given after the system has been punished and changed its behavior"). A
+            fault that it did not sanction brings back nothing.
         tolerance: Appraisals weaker than this call for no feedback.
         patience: How long it tries to reach a robot before it gives up [s].
         mistakes: Chance that a touch comes out as the opposite of what was meant.

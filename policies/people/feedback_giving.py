@@ -26,6 +26,7 @@ class FeedbackState(NamedTuple):
         target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
         about: Index of the robot whose bout the touch is about, shape (n_people,).
         praises: Whether it is to be a caress, shape (n_people,).
+        strength: How strong it is to be, in [0, 1], shape (n_people,).
         waited: How long each has had its wish, shape (n_people,) [s].
         changed: Whose wish is another than before, shape (n_people,).
         freshness: How welcome each robot's politeness still is to each, in [0, 1],
@@ -35,6 +36,7 @@ class FeedbackState(NamedTuple):
     target: Annotated[Indices, "n_people"]
     about: Annotated[Indices, "n_people"]
     praises: Annotated[Mask, "n_people"]
+    strength: Annotated[Floats, "n_people"]
     waited: Annotated[Floats, "n_people"]
     changed: Annotated[Mask, "n_people"]
     freshness: Annotated[Floats, "n_people", "n_robots"]
@@ -44,8 +46,8 @@ class FeedbackGiving(Stateful):
     """People's readiness to praise and to sanction.
 
     Faults are sanctioned more readily than politeness is praised; who came to expect
-    politeness praises it less and less, until a fault or a time without it brings the
-    wish back (paper, sections 3.1, 5.1 and 5.2).
+    politeness praises it less and less, until a fault that it sanctioned or a time
+    without politeness brings the wish back (paper, sections 3.1, 5.1 and 5.2).
 
     Args:
         personas: Of each person; hold every constant.
@@ -73,6 +75,7 @@ class FeedbackGiving(Stateful):
             target=np.full(n, NOBODY, np.intp),
             about=np.full(n, NOBODY, np.intp),
             praises=np.zeros(n, np.bool_),
+            strength=np.zeros(n),
             waited=np.zeros(n),
             changed=np.zeros(n, np.bool_),
             freshness=np.ones((n, n_robots)),
@@ -101,7 +104,7 @@ class FeedbackGiving(Stateful):
         return Wish(
             robot=robot,
             kind="caress" if self._state.praises[i] else "tap",
-            strength=abs(float(percepts.appraisals.value[i, about])),
+            strength=float(self._state.strength[i]),
             cause=percepts.cause(about, percepts.time),
         )
 
@@ -134,6 +137,8 @@ def _consider(
         fresh, persona = state.freshness[i], traits[i]
         _recover(fresh, appraisals.pleasing[i], period, persona)
         waited[i] += period
+        if condition.touched[i] and target[i] != NOBODY and not state.praises[i]:
+            _make_welcome(fresh, target[i], state.strength[i], persona)
         ends = condition.touched[i] or waited[i] > persona["patience"]
         changed[i] = target[i] != NOBODY and ends
         if changed[i]:
@@ -151,6 +156,7 @@ def _consider(
             calls = calls_for_feedback(liked, appraisals.attending[i, r], persona)
             if ready and calls and target[i] == NOBODY:
                 target[i], state.about[i], waited[i] = robot, r, 0.0
+                state.strength[i] = abs(liked)
                 state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
                 changed[i] = True
         anybody |= changed[i]
@@ -176,10 +182,17 @@ def _readiness(value: float, mood: float, fresh: float, persona: np.void) -> flo
 
 @compiled
 def _used_to(fresh: float, value: float, persona: np.void) -> float:
-    """Politeness becomes what is expected; a fault makes it welcome again."""
-    if value > 0.0:
-        return fresh * (1.0 - persona["habituation"] * value)
-    return fresh + persona["contrast"] * -value * (1.0 - fresh)
+    """Politeness becomes what is expected."""
+    return fresh * (1.0 - persona["habituation"] * max(value, 0.0))
+
+
+@compiled
+def _make_welcome(fresh: Floats, robot: int, tap: float, persona: np.void) -> None:
+    """A robot that was tapped is praised again for what is polite.
+
+    Only a tap that was given does that, not a fault that nobody answered.
+    """
+    fresh[robot] += persona["contrast"] * tap * (1.0 - fresh[robot])
 
 
 @compiled

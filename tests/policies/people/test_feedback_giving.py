@@ -195,13 +195,41 @@ def test_while_what_pleases_goes_on_the_wish_to_praise_does_not_recover(share):
     assert share(persona, [polite, *[going_on] * 50], polite) == chance(0.5)
 
 
-@pytest.mark.parametrize(("fault", "after"), [(-1.0, 0.5), (-0.5, 0.25)])
-def test_a_fault_makes_politeness_welcome_again(share, fault, after):
+@pytest.mark.parametrize(
+    ("fault", "after"),
+    [
+        (-1.0, 0.5),
+        # Half as bad: half of the people sanction it, with half of the effect.
+        (-0.5, 0.5 * 0.25),
+    ],
+)
+def test_a_fault_that_was_sanctioned_makes_politeness_welcome_again(
+    share, fault, after
+):
     """Wholly used to it; contrast of one half brings back half of the wish."""
     persona = certain(habituation=1.0, contrast=0.5, recovery=1e9)
     polite, bad = percept(bout(1.0), pleasing=True), percept(bout(fault))
     assert share(persona, [polite], polite) == 0.0
-    assert share(persona, [polite, bad], polite) == chance(after)
+    assert share(persona, [polite, DONE, bad], polite) == chance(after)
+
+
+def test_a_fault_that_nobody_sanctions_does_not_make_politeness_welcome(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9, sanction=0.0)
+    polite, bad = percept(bout(1.0), pleasing=True), percept(bout(-1.0))
+    assert share(persona, [polite, DONE, *[bad] * 5], polite) == 0.0
+
+
+def test_who_gave_up_on_the_way_has_sanctioned_nothing(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9, patience=2.0)
+    polite, bad = percept(bout(1.0), pleasing=True), percept(bout(-1.0))
+    given_up = [bad, *[NOTHING] * 3]
+    assert share(persona, [polite, DONE, *given_up], polite) == 0.0
+
+
+def test_a_caress_does_not_make_politeness_welcome(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9)
+    polite = percept(bout(1.0), pleasing=True)
+    assert share(persona, [polite, DONE], polite) == 0.0
 
 
 def test_faults_are_sanctioned_as_readily_however_often_they_come(share):
