@@ -95,7 +95,7 @@ class People(Stateful):
         self._arrived = np.zeros(n, np.bool_)
         self._percepts: Percepts | None = None
         self.appraisals = no_appraisals(n, n_robots)
-        # The decision at which the bout began that each person last appraised.
+        # The decision at which the bout began that each person last judged.
         self._last = np.full((n, n_robots), -1, np.intp)
         traits, regions = traits_of(personas), regions_of(self.places)
         self._appear = bind(appear, self.appearance, regions, traits)
@@ -151,18 +151,19 @@ class People(Stateful):
         """
         return self._appear(position, half_view)
 
-    def appraise(self, senses: Senses, robots: Robots) -> None:
+    def appraise(self, senses: Senses, robots: Robots, since: float) -> None:
         """Everybody appraises what the robots do, and what is new moves them.
 
         Args:
             senses: What everybody perceives.
             robots: What there is to be perceived.
+            since: Beginning of the period in which it is perceived [s].
         """
         if robots.present is not self._bouts:  # Mostly the same, and bound once.
             self._bouts = robots.present
             known = *self._appraisers, robots.present, senses.relations
             self._appraise = bind(_appraise_and_feel, *known)
-        self._appraise()
+        self._appraise(since)
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
@@ -249,7 +250,8 @@ def _appraise_and_feel(
     appearance: Appearance,
     bouts: Bouts,
     relations: Relations,
+    since: float,
 ) -> None:
     """Appraises and lives through what was found, all in one call."""
-    appraise(appraisers, traits, appraisals, appearance, bouts, relations)
+    appraise(appraisers, traits, appraisals, appearance, bouts, relations, since)
     live_through(feelings, appraisals, traits)

@@ -33,11 +33,12 @@ class Persona(Record, frozen=True, kw_only=True):
             wholehearted tap (paper, section 5.2: "most of the positive rewards are
             given after the system has been punished and changed its behavior"). A
             fault that it did not sanction brings back nothing.
-        tolerance: Appraisals weaker than this call for no feedback.
+        tolerance: What it would mind or like less than this it does not judge; it may
+            still judge the same bout when it perceives it better.
         patience: How long it tries to reach a robot before it gives up [s].
         mistakes: Chance that a touch comes out as the opposite of what was meant.
-        only_when_attending: Gives feedback only for what it sees while it attends
-            to the robot (the actors of experiments 1 and 2).
+        only_when_attending: Judges only what goes on while it attends to the robot,
+            and gives feedback for nothing else (the actors of experiments 1 and 2).
         irritability: How far a bad mood raises the chance to sanction.
         mood_change: Share by which one wholly pleasing or annoying bout moves the
             mood towards its end of the scale.

@@ -279,7 +279,8 @@ class Simulation(Stateful):
 
     def appraise(self) -> None:
         """People judge what is new to them."""
-        self.people.appraise(self.senses, self.robots)
+        since = self.time - self.scenario.decision_period
+        self.people.appraise(self.senses, self.robots, since)
 
     def decide(self) -> None:
         """People decide what to do next, and set out."""

@@ -153,8 +153,7 @@ def _consider(
             liked, robot = appraisals.value[i, r], appraisals.believed[i, r]
             ready = chance < _readiness(liked, condition.mood[i], fresh[robot], persona)
             fresh[robot] = _used_to(fresh[robot], liked, persona)
-            calls = calls_for_feedback(liked, appraisals.attending[i, r], persona)
-            if ready and calls and target[i] == NOBODY:
+            if ready and target[i] == NOBODY:
                 target[i], state.about[i], waited[i] = robot, r, 0.0
                 state.strength[i] = abs(liked)
                 state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
@@ -193,16 +192,3 @@ def _make_welcome(fresh: Floats, robot: int, tap: float, persona: np.void) -> No
     Only a tap that was given does that, not a fault that nobody answered.
     """
     fresh[robot] += persona["contrast"] * tap * (1.0 - fresh[robot])
-
-
-@compiled
-def calls_for_feedback(value: float, attending: bool, persona: np.void) -> bool:
-    """Whether a bout is one that such a person reacts to at all.
-
-    Args:
-        value: What it thinks of the bout, in [-1, 1].
-        attending: Whether it attended to what did it.
-        persona: Its row of the traits.
-    """
-    missed = persona["only_when_attending"] and not attending
-    return not (abs(value) < persona["tolerance"] or missed)

@@ -103,15 +103,6 @@ CARESS, TAP = ("caress", 0), ("tap", 0)
             [percept(bout(-1.0)), *[NOTHING] * 3],
             [TAP, TAP, TAP, None],
         ),
-        # Weak appraisals call for nothing.
-        ({"tolerance": 1.0}, [percept(bout(-0.99))], [None]),
-        ({"tolerance": 1.0}, [percept(bout(-1.0))], [TAP]),
-        # Who gives feedback only when attending.
-        (
-            {"only_when_attending": True},
-            [percept(bout(-1.0, attending=False)), percept(bout(-1.0))],
-            [None, TAP],
-        ),
         ({}, [percept(bout(-1.0, attending=False))], [TAP]),
         ({"mistakes": 1.0}, [percept(bout(-1.0))], [CARESS]),
         ({"mistakes": 1.0}, [percept(bout(1.0))], [TAP]),
