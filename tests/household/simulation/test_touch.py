@@ -20,8 +20,10 @@ STEERING = 0.2
 
 
 def person(name="ann", start=None, script=ON_THE_PHONE, **traits):
-    """Someone who sanctions every fault for certain and looks at nothing else."""
+    """Someone who sanctions every fault for certain, at once, and looks at nothing
+    else."""
     usual = {
+        "reaction": 0.0,
         "sanction": 1.0,
         "praise": 1.0,
         "robot_interest": 0.0,
@@ -79,6 +81,18 @@ def test_the_way_from_the_phone_to_the_robot_is_the_delay_of_the_tap(
     assert tap.kind == "tap"
     assert tap.giver == "ann"
     assert tap.approach_began == 1.0
+
+
+def test_the_time_to_react_comes_before_the_way(barked_at):
+    """Two seconds more, in which she stays where she is; the cause is what it was."""
+    slow = person(reaction=2.0, haste=0.0, reaction_spread=0.0)
+    _, (soon,) = barked_at()
+    env, (late,) = barked_at(people=(slow,))
+    assert late.time == pytest.approx(soon.time + 2.0)
+    assert late.approach_began == soon.approach_began + 2.0
+    env, felt = barked_at(steps=3, people=(slow,))
+    assert felt == []
+    assert math.dist(env.simulation.crowd.position[0], (1.0, 2.5)) < 1e-6
 
 
 def test_who_is_within_reach_touches_without_a_walk(barked_at):
