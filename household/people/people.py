@@ -175,14 +175,10 @@ class People(Stateful):
             now: [s].
         """
         percepts = self._perceived(crowd, senses, robots, now)
-        changed = self._adopt(self._minds.decide(percepts))
+        self._adopt(self._minds.decide(percepts))
         self.wishes.touched.fill(False)
         at_hand = list(self.wishes_at_hand(crowd, senses))
         crowd.send_who_needs_replan(self._goals, now, but=at_hand)
-        for i in changed:
-            if i not in at_hand and crowd.walks(i):
-                # Who was on its way elsewhere is so no longer.
-                crowd.walk_began[i] = now
 
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> dict[int, Wish]:
         """The wishes that people can fulfill from where they stand, by person."""
@@ -215,8 +211,8 @@ class People(Stateful):
         self._percepts.time = now
         return self._percepts
 
-    def _adopt(self, intentions: Intentions) -> list[int]:
-        """Takes over what the minds intend; returns whose wish is another.
+    def _adopt(self, intentions: Intentions) -> None:
+        """Takes over what the minds intend.
 
         Anybody may write minds, and compiled loops rely on the types of arrays: so they
         are copied into arrays of our own.
@@ -225,11 +221,9 @@ class People(Stateful):
         self.appearance.eyes_open[:] = intentions.eyes_open
         self._claim_places(intentions.place.tolist())
         changed = intentions.changed.tolist()
-        if True not in changed:
-            return []
-        who = [i for i, new in enumerate(changed) if new]
-        self.wishes.take_up(intentions.wishes, who)
-        return who
+        if True in changed:
+            who = [i for i, new in enumerate(changed) if new]
+            self.wishes.take_up(intentions.wishes, who)
 
     def _claim_places(self, intended: list[int]) -> None:
         """Who intends to be elsewhere gets a spot there."""

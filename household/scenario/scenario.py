@@ -141,6 +141,10 @@ class SituationModel(Record, frozen=True, kw_only=True):
 class PerceptionModel(Record, frozen=True, kw_only=True):
     """Constants of sight, attention and hearing; our choice (docs/deviations.md).
 
+    What robots notice of people who come to touch them is derived from published
+    figures of walking (RiMEA's guideline) and of head turns (bioRxiv
+    2025.04.29.650670).
+
     Attributes:
         focus: Width of the gaze's focus, sigma [degrees].
         distance: d0, at which an entity counts half [m].
@@ -149,6 +153,11 @@ class PerceptionModel(Record, frozen=True, kw_only=True):
             attending does not flicker.
         wall_loss: What a wall takes from a sound [dB]; light indoor walls 25 to 35.
         mood_noise: Standard deviation with which a robot misreads a mood.
+        notice_delay: How late a robot notices that somebody sets out or turns to it
+            [s]; 0.5: until then somebody at 1 m/s has walked half a meter, and a usual
+            turn of the head (58 degrees at 104 degrees/s) is nearly over.
+        notice_noise: Standard deviation of that time [s]; 0.3: for half a meter, people
+            who walk at 0.58 to 1.61 m/s take 0.31 to 0.86 s.
     """
 
     focus: Annotated[float, msgspec.Meta(ge=1, le=180)] = 30.0
@@ -157,6 +166,8 @@ class PerceptionModel(Record, frozen=True, kw_only=True):
     attend_below: Share = 0.25
     wall_loss: Annotated[float, msgspec.Meta(ge=0, le=200)] = 25.0
     mood_noise: Annotated[float, msgspec.Meta(ge=0, le=10)] = 0.2
+    notice_delay: Annotated[float, msgspec.Meta(ge=0, le=60)] = 0.5
+    notice_noise: Annotated[float, msgspec.Meta(ge=0, le=60)] = 0.3
 
 
 class Slots(Record, frozen=True, kw_only=True):
