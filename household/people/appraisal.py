@@ -6,71 +6,25 @@ watches, when it attends to the robot. What it thinks of the bout is its prefere
 that moment times how strongly it perceives it.
 """
 
-from collections.abc import Sequence
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.activity import Activity
-from household.compiled.arrays import Floats, Indices, Mask
+from household.compiled.arrays import Floats, Indices
 from household.compiled.jit import compiled
 from household.people.appearance import Appearance
 from household.people.mind import Appraisals
-from household.people.person import Person
 from household.people.traits import Traits
 from household.perception.hearing import AUDIBLE
 from household.perception.relations import Relations
 from household.robots.bout import Bouts
 from household.robots.robots import MOMENT
-from household.scenario.scenario import Scenario
 
 FULL = 70.0
 """Level at the ear from which a sound counts fully [dB]: a loud voice close by."""
 
 SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
-
-
-class Preferences:
-    """What people find polite, in the order of the scenario.
-
-    Args:
-        scenario: Holds the household's norms and how far people depart from them.
-        everyone: The people, with their preferences.
-
-    Attributes:
-        values: Shape (n, n_activities, 2, n_behaviors), in [-1, 1]; the third axis
-            says whether the person attends to the robot.
-    """
-
-    def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
-        n = len(everyone)
-        self.values = np.array([p.preferences for p in everyone]).reshape(
-            n, len(Activity), 2, -1
-        )
-        # What to expect of somebody who lives here, without knowing who it is.
-        average = self.values.mean(axis=0, keepdims=True)
-        self._expected = np.broadcast_to(average, self.values.shape)
-        self._rows = np.arange(n)[:, None]
-
-    def now(
-        self, activity: Indices, attends: Mask, *, on_average: bool = False
-    ) -> Floats:
-        """What everybody prefers of each robot right now.
-
-        Args:
-            activity: The role that each plays, shape (n,).
-            attends: Whether each person attends to each robot, shape (n, n_robots).
-            on_average: As if each were the average of those who live here.
-
-        Returns:
-            Shape (n, n_robots, n_behaviors), in [-1, 1].
-        """
-        values = self._expected if on_average else self.values
-        preferred: Floats = values[
-            self._rows, activity[:, None], attends.astype(np.intp)
-        ]
-        return preferred
 
 
 class Appraisers(NamedTuple):

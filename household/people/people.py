@@ -10,12 +10,7 @@ from household.home.places import NOWHERE, Places
 from household.motion.bodies import Goals
 from household.motion.crowd import Crowd
 from household.people.appearance import Appearance, appear, appearance_of, regions_of
-from household.people.appraisal import (
-    Appraisers,
-    Preferences,
-    appraise,
-    no_appraisals,
-)
+from household.people.appraisal import Appraisers, appraise, no_appraisals
 from household.people.feelings import Feelings, feelings_of, live_through
 from household.people.mind import (
     OWN_ACTIVITY,
@@ -28,6 +23,7 @@ from household.people.mind import (
     Wish,
 )
 from household.people.person import everyone_of
+from household.people.preferences import Preferences
 from household.people.traits import Traits, traits_of
 from household.people.wishes import Wishes
 from household.perception.relations import Relations
@@ -51,7 +47,7 @@ class People(Stateful):
     Attributes:
         everyone: Who they are.
         places: Where their activities are.
-        preferences: What they find polite.
+        preferences: What they find polite now.
         feelings: Their moods and what they think of each robot.
         appraisals: What each thinks of what each robot does.
         appearance: How they appear to whoever looks at them.
@@ -118,6 +114,7 @@ class People(Stateful):
             Where everybody begins, shape (n, 2) [m].
         """
         self.places.clear()
+        self.preferences.hold_at(0.0)
         self.feelings.forget()
         self._last[:] = -1
         self.wishes.forget()

@@ -18,6 +18,7 @@ from household.config.quantities import (
 from household.config.toml import Record
 from household.home.floorplan import FloorPlan, load_floorplan
 from household.scenario.behavior import Behavior, catalogue
+from household.scenario.change import Change
 from household.scenario.norms import Norms, household_norms
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population, individual
@@ -198,6 +199,7 @@ class Scenario(Record, frozen=True, kw_only=True):
         heterogeneity: How far people depart from the norms and from each other: 0
             makes roles interchangeable, 1 gives everybody a taste of its own.
         population: Draws in what people depart from the norms.
+        changes: When people begin to want something else, and what.
     """
 
     name: Name
@@ -220,6 +222,7 @@ class Scenario(Record, frozen=True, kw_only=True):
     norms: Norms | None = None
     heterogeneity: Share = 0.0
     population: Population = Population()
+    changes: Annotated[tuple[Change, ...], FEW] = ()
     situation: SituationModel = SituationModel()
     perception: PerceptionModel = PerceptionModel()
     slots: Slots = Slots()

@@ -287,6 +287,8 @@ class Simulation(Stateful):
 
     def appraise(self) -> None:
         """People judge what is new to them."""
+        if self.time >= self.people.preferences.until:
+            self.people.preferences.hold_at(self.time)
         since = self.time - self.scenario.decision_period
         self.people.appraise(self.senses, self.robots, since)
 
