@@ -36,10 +36,11 @@ class Feedback:
         time: When it was felt [s].
         mood: The giver's mood as the robot perceives it, in [-1, 1].
         attending: Whether the giver attended to the robot.
-        approach_began: When the giver was seen to set out on the walk that brought
-            it here [s]; None if it did not need to walk.
-        attention_began: Since when the giver attends to the robot [s]; None if it
-            does not.
+        approach_began: When the robot noticed that the giver came [s]: it walked and
+            got nearer; None if it did not come walking.
+        attention_began: When it noticed that the giver turned to it [s]; None if the
+            giver does not attend to it. Both are late and not exact, as the scenario's
+            ``notice_delay`` and ``notice_noise`` say.
     """
 
     giver: str

@@ -18,10 +18,10 @@ class Reward:
         giver: who gave it.
         attending: whether the giver attended to the robot as it touched it.
         mood: mood of the giver as the robot perceives it, in [-1, 1].
-        approach_began: [s] when the giver was seen setting out towards the robot;
-            None: it did not need to walk.
-        attention_began: [s] when the giver last began to attend to the robot; None:
-            it never did, or nobody saw it.
+        approach_began: [s] when the giver was seen setting out towards the robot,
+            some time after it had; None: it did not come walking.
+        attention_began: [s] when the giver was last seen turning to the robot, some
+            time after it had; None: it does not attend, or nobody saw it.
 
     Raises:
         ExperienceError: if a number is not finite, out of range or out of order.

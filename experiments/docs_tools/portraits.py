@@ -17,10 +17,8 @@ import numpy as np
 from household.config.toml import shipped
 from household.environment import Household
 from household.people.mind import Intentions, Minds, Percepts
-from household.people.traits import traits_of
 from household.scenario.scenario import PersonSpec, RobotSpec, Scenario
 from policies.people import make_minds
-from policies.people.feedback_giving import calls_for_feedback
 
 HOURS, SEEDS = 1, 3
 """Each persona is watched for this long with each of the first seeds."""
@@ -38,7 +36,6 @@ class CountingMinds(Minds):
 
     def __init__(self, scenario: Scenario, counts: Counter[str]) -> None:
         self._minds = make_minds(scenario)
-        (self._traits,) = traits_of(scenario.personas)
         self._counts = counts
 
     def reset(self, rngs: Sequence[np.random.Generator]) -> Intentions:
@@ -46,12 +43,10 @@ class CountingMinds(Minds):
         return self._minds.reset(rngs)
 
     def decide(self, percepts: Percepts) -> Intentions:
-        """As the person's mind does; counts the bouts that call for feedback."""
+        """As the person's mind does; counts the bouts that it judges."""
         found = percepts.appraisals
-        values, attending = found.value[found.new], found.attending[found.new]
-        for value, attends in zip(values, attending, strict=True):
-            if calls_for_feedback(value, attends, self._traits):
-                self._counts["pleased" if value > 0.0 else "annoyed"] += 1
+        for value in found.value[found.new]:
+            self._counts["pleased" if value > 0.0 else "annoyed"] += 1
         return self._minds.decide(percepts)
 
 

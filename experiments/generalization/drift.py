@@ -1,7 +1,8 @@
 """Remembering against adapting: the people stay, and what they want has changed.
 
 A robot learns in 2 households. Then everybody there wants another behavior in every
-role, and the robot, which is not told, goes on. Beside it one that begins anew.
+role (a change of the scenario, `household/scenario/change.py`), and the robot, which is
+not told, goes on. Beside it one that begins anew.
 """
 
 from __future__ import annotations

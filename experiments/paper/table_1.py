@@ -61,7 +61,9 @@ LINES = tuple(
 )
 """The table as printed, the latest pair first."""
 
-_TOUCH = Reward(value=-1.0, time=5.5, giver="actor", attending=True, approach_began=0.5)
+_TOUCH = Reward(value=-1.0, time=5.5, giver="actor", attending=True, approach_began=1.5)
+"""The giver leaves, which makes it situation 6 a second later, and is then seen coming.
+"""
 
 
 def columns() -> tuple[FloatArray, FloatArray]:

@@ -8,7 +8,7 @@ everything. So each can be held while the others change.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal
@@ -18,6 +18,7 @@ import msgspec
 from experiments.phases.days import schedule
 from experiments.phases.norms import BEHAVIORS, HEARD, own_norms
 from household.config.toml import convert, packaged, read_toml
+from household.scenario.change import Change
 from household.scenario.family import NAMES, Draw, Family, draw, load_family
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population
@@ -74,7 +75,8 @@ class World:
     then have these tastes alone."""
 
     turned: int = 0
-    """By how many behaviors what people want is moved on: tastes that have changed."""
+    """By how many behaviors what people want has moved on, as the episode begins, from
+    what they wanted in the same household otherwise: tastes that have changed."""
 
     hears: bool = True
     """Whether situations say who would hear the robot."""
@@ -148,9 +150,11 @@ def scenario(residence: Residence) -> Scenario:
         heterogeneity=1.0 if world.opposed else world.heterogeneity,
     )
     drawn = draw(family, choice)
+    people = tuple(_person(residence, place) for place in range(world.people))
     return msgspec.structs.replace(
         drawn,
-        people=tuple(_person(residence, place) for place in range(world.people)),
+        people=people,
+        changes=_changes(world, [person.name for person in people]),
         population=Population(
             clusters=CLUSTERS,
             clusteredness=world.clusteredness,
@@ -202,7 +206,7 @@ def _family(residence: Residence) -> dict[str, Any]:
         "personas": [msgspec.to_builtins(_persona(world, 0))],
         "residents": [{"schedule": day} for day in days],
         "behaviors": list(BEHAVIORS),
-        "norms": own_norms(world.turned),
+        "norms": own_norms(),
         "situation": {"attention": "robot", **hears},
     }
 
@@ -233,7 +237,23 @@ def _persona(world: World, place: int) -> Persona:
     persona = msgspec.structs.replace(known, **dict(world.traits))
     if not world.opposed:
         return persona
-    wishes = own_norms(world.turned + OPPOSED * (place % 2))
+    wishes = own_norms(OPPOSED * (place % 2))
     return convert(
         msgspec.to_builtins(persona) | {"preferences": wishes}, Persona, "persona"
     )
+
+
+def _changes(world: World, names: Sequence[str]) -> tuple[Change, ...]:
+    """Tastes that have changed: people want something else from the beginning on."""
+    if not world.turned:
+        return ()
+    if not world.opposed:
+        return (
+            convert({"at": 0.0, "norms": own_norms(world.turned)}, Change, "norms"),
+        )
+    wishes = [own_norms(world.turned + OPPOSED * (k % 2)) for k in range(len(names))]
+    changes = [
+        {"at": 0.0, "people": [name], "preferences": wish}
+        for name, wish in zip(names, wishes, strict=True)
+    ]
+    return convert(changes, tuple[Change, ...], "changes")

@@ -1,25 +1,24 @@
 """Appraisal: what a person privately thinks of what a robot does.
 
-A person appraises each bout of behavior once, when it first sees or hears it well
-enough: its preference times how strongly it perceived the bout.
+A person judges each bout of behavior once, at the first moment at which it can: when it
+perceives the bout well enough to mind, and, if it is one who cares only for what it
+watches, when it attends to the robot. What it thinks of the bout is its preference at
+that moment times how strongly it perceives it.
 """
 
-from collections.abc import Sequence
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.activity import Activity
 from household.compiled.arrays import Floats, Indices
 from household.compiled.jit import compiled
 from household.people.appearance import Appearance
 from household.people.mind import Appraisals
-from household.people.person import Person
 from household.people.traits import Traits
 from household.perception.hearing import AUDIBLE
 from household.perception.relations import Relations
 from household.robots.bout import Bouts
-from household.scenario.scenario import Scenario
+from household.robots.robots import MOMENT
 
 FULL = 70.0
 """Level at the ear from which a sound counts fully [dB]: a loud voice close by."""
@@ -28,36 +27,13 @@ SEEN_FULLY = 0.5
 """Share of the attention from which a sight counts fully."""
 
 
-class Preferences:
-    """What people find polite, in the order of the scenario.
-
-    Args:
-        scenario: Holds the household's norms and how far people depart from them.
-        everyone: The people, with their preferences.
-
-    Attributes:
-        values: Shape (n, n_activities, 2, n_behaviors), in [-1, 1]; the third axis
-            says whether the person attends to the robot.
-        on_average: The same for everybody: what to expect of somebody who lives here,
-            without knowing who it is.
-    """
-
-    def __init__(self, scenario: Scenario, everyone: Sequence[Person]) -> None:
-        n = len(everyone)
-        self.values = np.array([p.preferences for p in everyone]).reshape(
-            n, len(Activity), 2, -1
-        )
-        average = self.values.mean(axis=0, keepdims=True)
-        self.on_average = np.repeat(average, n, axis=0)
-
-
 class Appraisers(NamedTuple):
     """Those who appraise.
 
     Attributes:
         preferences: Shape (n_people, n_activities, 2, n_behaviors), in [-1, 1].
         last: The decision at which the bout of each robot began that each person last
-            appraised, -1 before the first, shape (n_people, n_robots).
+            judged, -1 before the first, shape (n_people, n_robots).
     """
 
     preferences: Annotated[Floats, "n_people", "n_activities", 2, "n_behaviors"]
@@ -103,10 +79,11 @@ def appraise(
     appearance: Appearance,
     bouts: Bouts,
     relations: Relations,
+    since: float,
 ) -> None:
     """Everybody appraises what each robot does: preference x how well perceived.
 
-    A bout that a person appraised before is not new to it. It blames the robot that it
+    A bout that a person judged before is not new to it. It blames the robot that it
     sees, else the loudest that it hears. Sleepers hear only what wakes them.
 
     Args:
@@ -116,6 +93,8 @@ def appraise(
         appearance: What people do, and whose eyes are open.
         bouts: What the robots do.
         relations: How well everybody perceives each, people first.
+        since: Beginning of the period in which it is perceived [s]; bouts that were
+            over by then are gone.
     """
     last, value = appraisers.last, appraisals.value
     n_people, n_robots = value.shape
@@ -127,7 +106,7 @@ def appraise(
             j = n_people + r
             attending = relations.attends[i, j]
             value[i, r] = 0.0
-            if bouts.behavior[r] >= 0:
+            if bouts.ends[r] > since + MOMENT:
                 level = relations.level[i, j]
                 heard = heard_strength(level if level >= hears_from else 0.0)
                 seen = seen_strength(relations.attention[i, j])
@@ -135,10 +114,25 @@ def appraise(
                     i, appearance.activity[i], int(attending), bouts.behavior[r]
                 ]
                 value[i, r] = max(seen, heard) * liked
-            new = value[i, r] != 0.0 and last[i, r] != bouts.decision[r]
+            known = last[i, r] == bouts.decision[r]
+            new = not known and can_judge(value[i, r], attending, traits[i])
             if new:
                 last[i, r] = bouts.decision[r]
             appraisals.new[i, r] = new
             appraisals.believed[i, r] = r if relations.sees[i, j] else loudest
             appraisals.attending[i, r] = attending
             appraisals.pleasing[i, r] = value[i, r] > 0.0
+
+
+@compiled
+def can_judge(value: float, attending: bool, persona: np.void) -> bool:
+    """Whether a person makes up its mind about a bout that it perceives like this.
+
+    Args:
+        value: What it thinks of the bout, in [-1, 1]; 0: nothing.
+        attending: Whether it attends to what does it.
+        persona: Its row of the traits.
+    """
+    if persona["only_when_attending"] and not attending:
+        return False
+    return value != 0.0 and abs(value) >= persona["tolerance"]

@@ -54,7 +54,7 @@ class Percept:
         arrived: Whether it is where it intended to be, or as near as others let it.
         touched: Whether its wish to touch was fulfilled in this period.
         mood: Its mood, in [-1, 1].
-        appraisals: What it thinks of the bouts that it first perceived now.
+        appraisals: What it thinks of the bouts about which it made up its mind now.
         pleasing: Whether each robot is doing something that pleases it, (n_robots,).
         moving: Whether each robot is on the move, shape (n_robots,).
         sees: Whether it sees each entity (people first, then robots), shape (n,).

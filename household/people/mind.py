@@ -40,8 +40,8 @@ class Appraisals(NamedTuple):
     """What everybody privately thinks of what the robots do.
 
     Attributes:
-        new: Whether each person first perceived each robot's bout in this period, and
-            appraised it, shape (n_people, n_robots).
+        new: Whether each person made up its mind about each robot's bout in this
+            period, shape (n_people, n_robots); it does that once for each bout.
         value: The appraisals, in [-1, 1], shape (n_people, n_robots).
         believed: Index of the robot that the person believes it was, shape (n_people,
             n_robots).

@@ -10,12 +10,7 @@ from household.home.places import NOWHERE, Places
 from household.motion.bodies import Goals
 from household.motion.crowd import Crowd
 from household.people.appearance import Appearance, appear, appearance_of, regions_of
-from household.people.appraisal import (
-    Appraisers,
-    Preferences,
-    appraise,
-    no_appraisals,
-)
+from household.people.appraisal import Appraisers, appraise, no_appraisals
 from household.people.feelings import Feelings, feelings_of, live_through
 from household.people.mind import (
     OWN_ACTIVITY,
@@ -28,6 +23,7 @@ from household.people.mind import (
     Wish,
 )
 from household.people.person import everyone_of
+from household.people.preferences import Preferences
 from household.people.traits import Traits, traits_of
 from household.people.wishes import Wishes
 from household.perception.relations import Relations
@@ -51,7 +47,7 @@ class People(Stateful):
     Attributes:
         everyone: Who they are.
         places: Where their activities are.
-        preferences: What they find polite.
+        preferences: What they find polite now.
         feelings: Their moods and what they think of each robot.
         appraisals: What each thinks of what each robot does.
         appearance: How they appear to whoever looks at them.
@@ -95,7 +91,7 @@ class People(Stateful):
         self._arrived = np.zeros(n, np.bool_)
         self._percepts: Percepts | None = None
         self.appraisals = no_appraisals(n, n_robots)
-        # The decision at which the bout began that each person last appraised.
+        # The decision at which the bout began that each person last judged.
         self._last = np.full((n, n_robots), -1, np.intp)
         traits, regions = traits_of(personas), regions_of(self.places)
         self._appear = bind(appear, self.appearance, regions, traits)
@@ -118,6 +114,7 @@ class People(Stateful):
             Where everybody begins, shape (n, 2) [m].
         """
         self.places.clear()
+        self.preferences.hold_at(0.0)
         self.feelings.forget()
         self._last[:] = -1
         self.wishes.forget()
@@ -151,18 +148,19 @@ class People(Stateful):
         """
         return self._appear(position, half_view)
 
-    def appraise(self, senses: Senses, robots: Robots) -> None:
+    def appraise(self, senses: Senses, robots: Robots, since: float) -> None:
         """Everybody appraises what the robots do, and what is new moves them.
 
         Args:
             senses: What everybody perceives.
             robots: What there is to be perceived.
+            since: Beginning of the period in which it is perceived [s].
         """
         if robots.present is not self._bouts:  # Mostly the same, and bound once.
             self._bouts = robots.present
             known = *self._appraisers, robots.present, senses.relations
             self._appraise = bind(_appraise_and_feel, *known)
-        self._appraise()
+        self._appraise(since)
 
     def decide(self, crowd: Crowd, senses: Senses, robots: Robots, now: float) -> None:
         """Everybody decides what to do next and sets about it.
@@ -174,14 +172,10 @@ class People(Stateful):
             now: [s].
         """
         percepts = self._perceived(crowd, senses, robots, now)
-        changed = self._adopt(self._minds.decide(percepts))
+        self._adopt(self._minds.decide(percepts))
         self.wishes.touched.fill(False)
         at_hand = list(self.wishes_at_hand(crowd, senses))
         crowd.send_who_needs_replan(self._goals, now, but=at_hand)
-        for i in changed:
-            if i not in at_hand and crowd.walks(i):
-                # Who was on its way elsewhere is so no longer.
-                crowd.walk_began[i] = now
 
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> dict[int, Wish]:
         """The wishes that people can fulfill from where they stand, by person."""
@@ -214,8 +208,8 @@ class People(Stateful):
         self._percepts.time = now
         return self._percepts
 
-    def _adopt(self, intentions: Intentions) -> list[int]:
-        """Takes over what the minds intend; returns whose wish is another.
+    def _adopt(self, intentions: Intentions) -> None:
+        """Takes over what the minds intend.
 
         Anybody may write minds, and compiled loops rely on the types of arrays: so they
         are copied into arrays of our own.
@@ -224,11 +218,9 @@ class People(Stateful):
         self.appearance.eyes_open[:] = intentions.eyes_open
         self._claim_places(intentions.place.tolist())
         changed = intentions.changed.tolist()
-        if True not in changed:
-            return []
-        who = [i for i, new in enumerate(changed) if new]
-        self.wishes.take_up(intentions.wishes, who)
-        return who
+        if True in changed:
+            who = [i for i, new in enumerate(changed) if new]
+            self.wishes.take_up(intentions.wishes, who)
 
     def _claim_places(self, intended: list[int]) -> None:
         """Who intends to be elsewhere gets a spot there."""
@@ -249,7 +241,8 @@ def _appraise_and_feel(
     appearance: Appearance,
     bouts: Bouts,
     relations: Relations,
+    since: float,
 ) -> None:
     """Appraises and lives through what was found, all in one call."""
-    appraise(appraisers, traits, appraisals, appearance, bouts, relations)
+    appraise(appraisers, traits, appraisals, appearance, bouts, relations, since)
     live_through(feelings, appraisals, traits)

@@ -1,6 +1,7 @@
 """Scenarios: who lives where, with which robots; the records and how they fit."""
 
 from household.scenario.behavior import Behavior
+from household.scenario.change import Change
 from household.scenario.norms import Norm, Norms
 from household.scenario.persona import Persona
 from household.scenario.population import Population
@@ -19,6 +20,7 @@ from household.scenario.validation import load_scenario
 
 __all__ = [
     "Behavior",
+    "Change",
     "Norm",
     "Norms",
     "PerceptionModel",

@@ -19,6 +19,7 @@ from household.home.floorplan import FloorPlan
 from household.home.navigation.routes import routes_of
 from household.home.places import APART, Places
 from household.scenario.behavior import Behavior, catalogue
+from household.scenario.change_faults import change_faults, norm_faults
 from household.scenario.norms import Norms
 from household.scenario.scenario import Scenario, ScriptStep, Stay, persona_of
 
@@ -34,7 +35,8 @@ def misfits(scenario: Scenario, sound: Sound) -> Iterator[Fault]:
     personas = tuple(_personas(scenario, sound))
     yield from home
     yield from personas
-    for check in (_periods, _thresholds, behaviors_faults, _names, _slots):
+    checks = (_periods, _thresholds, behaviors_faults, _names, _slots, change_faults)
+    for check in checks:
         yield from check(scenario, sound)
     if not home and sound("home"):
         yield from _doings(scenario, sound)
@@ -69,7 +71,7 @@ def _personas(scenario: Scenario, sound: Sound) -> Iterator[Fault]:
             yield Fault(here, str(error))
         else:
             if sound("behavior"):
-                yield from _norms(preferences, known, f"{here}.preferences")
+                yield from norm_faults(preferences, known, f"{here}.preferences")
 
 
 def _thresholds(scenario: Scenario, sound: Sound) -> Iterator[Fault]:
@@ -125,16 +127,7 @@ def behaviors_faults(scenario: HasBehaviors, sound: Sound) -> Iterator[Fault]:
         if first.setdefault(name, index) != index:
             yield Fault(here, f"{name!r} stands there twice; allowed: once")
     if sound("norms", "behavior"):
-        yield from _norms(scenario.norms or {}, known, "norms")
-
-
-def _norms(norms: Norms, known: Collection[str], path: str) -> Iterator[Fault]:
-    for activity, norm in norms.items():
-        for part in ("attending", "absorbed"):
-            for name in getattr(norm, part):
-                if name not in known:
-                    problem = choose_from(name, known, "behavior")
-                    yield Fault(f"{path}.{activity}.{part}", problem)
+        yield from norm_faults(scenario.norms or {}, known, "norms")
 
 
 def _names(scenario: Scenario, sound: Sound) -> Iterator[Fault]:

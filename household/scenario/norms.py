@@ -69,3 +69,15 @@ def norm_table(
                 value = values.get(behavior, otherwise)
                 table[activity_of(activity), attending, index] = value
     return table
+
+
+def merged(norms: Norms, others: Norms) -> Norms:
+    """Norms in which others have the last word on whatever they name."""
+    both = dict(norms)
+    for activity, other in others.items():
+        norm = both.get(activity, Norm())
+        both[activity] = Norm(
+            attending=norm.attending | other.attending,
+            absorbed=norm.absorbed | other.absorbed,
+        )
+    return both

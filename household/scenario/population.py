@@ -19,10 +19,15 @@ from household.scenario.persona import Persona
 
 SPREAD = 0.3
 """Standard deviation of the logarithm of a trait at full heterogeneity: two people in
-three then lie within about 35 % of their persona (our choice)."""
+three then lie within about 35 % of their persona (our choice). The medians of the
+reaction times of CHARM's 46 people, 0.59 to 2.37 s, spread as much."""
 
-VARIED = ("walking_speed", "praise", "sanction", "habituation", "recovery", "patience")
-"""Traits in which people of the same persona differ."""
+VARIED = (
+    *("walking_speed", "praise", "sanction", "habituation", "recovery", "patience"),
+    "reaction",
+)
+"""Traits in which people of the same persona differ; new ones come last, so that the
+others stay what they were."""
 
 CLUSTERS, PEOPLE = 0, 1
 

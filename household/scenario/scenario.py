@@ -18,6 +18,7 @@ from household.config.quantities import (
 from household.config.toml import Record
 from household.home.floorplan import FloorPlan, load_floorplan
 from household.scenario.behavior import Behavior, catalogue
+from household.scenario.change import Change
 from household.scenario.norms import Norms, household_norms
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population, individual
@@ -141,6 +142,10 @@ class SituationModel(Record, frozen=True, kw_only=True):
 class PerceptionModel(Record, frozen=True, kw_only=True):
     """Constants of sight, attention and hearing; our choice (docs/deviations.md).
 
+    What robots notice of people who come to touch them is derived from published
+    figures of walking (RiMEA's guideline) and of head turns (bioRxiv
+    2025.04.29.650670).
+
     Attributes:
         focus: Width of the gaze's focus, sigma [degrees].
         distance: d0, at which an entity counts half [m].
@@ -149,6 +154,11 @@ class PerceptionModel(Record, frozen=True, kw_only=True):
             attending does not flicker.
         wall_loss: What a wall takes from a sound [dB]; light indoor walls 25 to 35.
         mood_noise: Standard deviation with which a robot misreads a mood.
+        notice_delay: How late a robot notices that somebody sets out or turns to it
+            [s]; 0.5: until then somebody at 1 m/s has walked half a meter, and a usual
+            turn of the head (58 degrees at 104 degrees/s) is nearly over.
+        notice_noise: Standard deviation of that time [s]; 0.3: for half a meter, people
+            who walk at 0.58 to 1.61 m/s take 0.31 to 0.86 s.
     """
 
     focus: Annotated[float, msgspec.Meta(ge=1, le=180)] = 30.0
@@ -157,6 +167,8 @@ class PerceptionModel(Record, frozen=True, kw_only=True):
     attend_below: Share = 0.25
     wall_loss: Annotated[float, msgspec.Meta(ge=0, le=200)] = 25.0
     mood_noise: Annotated[float, msgspec.Meta(ge=0, le=10)] = 0.2
+    notice_delay: Annotated[float, msgspec.Meta(ge=0, le=60)] = 0.5
+    notice_noise: Annotated[float, msgspec.Meta(ge=0, le=60)] = 0.3
 
 
 class Slots(Record, frozen=True, kw_only=True):
@@ -187,6 +199,7 @@ class Scenario(Record, frozen=True, kw_only=True):
         heterogeneity: How far people depart from the norms and from each other: 0
             makes roles interchangeable, 1 gives everybody a taste of its own.
         population: Draws in what people depart from the norms.
+        changes: When people begin to want something else, and what.
     """
 
     name: Name
@@ -209,6 +222,7 @@ class Scenario(Record, frozen=True, kw_only=True):
     norms: Norms | None = None
     heterogeneity: Share = 0.0
     population: Population = Population()
+    changes: Annotated[tuple[Change, ...], FEW] = ()
     situation: SituationModel = SituationModel()
     perception: PerceptionModel = PerceptionModel()
     slots: Slots = Slots()

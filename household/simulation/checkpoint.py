@@ -54,6 +54,8 @@ def restore(simulation: Simulation, checkpoint: Checkpoint) -> None:
     if not simulation.begun:
         simulation.begin(seed=0)
     put_back(simulation, pickle.loads(checkpoint.state))
+    # Follows from the time, and is not kept.
+    simulation.people.preferences.hold_at(simulation.time)
     # Whoever remembers what was true of a revision must not meet it again.
     simulation.revision += 1
 

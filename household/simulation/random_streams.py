@@ -8,7 +8,7 @@ import numpy as np
 from household.compiled.arrays import Floats
 from household.state import Stateful
 
-PEOPLE, ROBOTS, FACES = 0, 1, 2
+PEOPLE, ROBOTS, FACES, NOTICED = 0, 1, 2, 3
 
 AHEAD = 64
 """Moments for which numbers are drawn at once: one by one, each takes a microsecond."""
@@ -23,12 +23,13 @@ class Streams(Stateful):
         people: One generator for each person.
         robots: One for each robot, for what it does.
         faces: One for each robot, for how it misreads faces.
+        noticed: One for each person, for how inexactly robots notice what it does.
     """
 
     STATE = ("_entropy", "_episode", "robots")
 
     def __init__(self, n_people: int, n_robots: int) -> None:
-        self._counts = (n_people, n_robots)
+        self._counts = (n_people, n_robots, n_robots, n_people)
         self._entropy: int | Sequence[int] | None = None
         self._episode = 0
 
@@ -47,10 +48,10 @@ class Streams(Stateful):
         self.people = self._generators(PEOPLE)
         self.robots = self._generators(ROBOTS)
         self.faces = self._generators(FACES)
+        self.noticed = self._generators(NOTICED)
 
     def _generators(self, kind: int) -> list[np.random.Generator]:
-        count = self._counts[min(kind, ROBOTS)]
-        keys = ((self._episode, kind, index) for index in range(count))
+        keys = ((self._episode, kind, i) for i in range(self._counts[kind]))
         return [
             np.random.default_rng(np.random.SeedSequence(self._entropy, spawn_key=key))
             for key in keys

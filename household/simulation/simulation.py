@@ -22,6 +22,7 @@ from household.people.feelings import misread
 from household.people.mind import Wish
 from household.people.people import MakeMinds, People
 from household.people.wishes import REACH
+from household.perception.noticing import Noticing
 from household.perception.proximity import Proximity
 from household.perception.relations import Entities
 from household.perception.senses import Senses
@@ -89,6 +90,7 @@ class Simulation(Stateful):
         "crowd",
         "senses",
         "proximity",
+        "noticing",
         "moods",
         "_salience",
         "_source",
@@ -126,6 +128,7 @@ class Simulation(Stateful):
             scenario.plan, scenario.perception, n, silent=n_people, zeros=zeros
         )
         self.proximity = Proximity(scenario.situation, n_people, n_robots)
+        self.noticing = Noticing(scenario.perception, n, scenario.decision_period)
         self._pursuit = Pursuit(self.people.wishes.target, REACH)
         self._streams = Streams(n_people, n_robots)
         head_speed = [p.head_speed for p in personas] + [ROBOT_HEAD_SPEED] * n_robots
@@ -187,6 +190,7 @@ class Simulation(Stateful):
         self.robots.begin()
         self.senses.forget()
         self.proximity.forget()
+        self.noticing.begin(self._streams.noticed)
         people = self.people.begin(self._streams.people)
         robots = np.array([spec.position for spec in self.scenario.robots])
         headings = np.radians([spec.heading for spec in self.scenario.robots])
@@ -257,15 +261,18 @@ class Simulation(Stateful):
     def _touch(self, i: int, wish: Wish, now: float) -> None:
         """A person touches a robot, which feels it and sees who it was."""
         person, j = self.people.everyone[i], self._n_people + wish.robot
+        relations, position = self.senses.relations, self.crowd.position
+        turned = relations.attention_began[i, j]
+        came, turned = self.noticing.touch(i, j, position, now, turned)
         feedback = Feedback(
             giver=person.name,
             kind=wish.kind,
             strength=wish.strength,
             time=now,
             mood=float(self.moods[wish.robot, i]),
-            attending=bool(self.senses.relations.attends[i, j]),
-            approach_began=self.crowd.walks_since(i),
-            attention_began=_known(self.senses.relations.attention_began[i, j]),
+            attending=bool(relations.attends[i, j]),
+            approach_began=came,
+            attention_began=turned,
         )
         self.robots.feel(wish.robot, feedback, wish.cause)
         self.people.wishes.fulfill(i)
@@ -286,11 +293,15 @@ class Simulation(Stateful):
             self.senses.obstructions, self.senses.relations
         )
         self.revision += changed
+        self.noticing.remember(self.decision, self.crowd.position)
         self._misread(self._noise.next())
 
     def appraise(self) -> None:
         """People judge what is new to them."""
-        self.people.appraise(self.senses, self.robots)
+        if self.time >= self.people.preferences.until:
+            self.people.preferences.hold_at(self.time)
+        since = self.time - self.scenario.decision_period
+        self.people.appraise(self.senses, self.robots, since)
 
     def decide(self) -> None:
         """People decide what to do next, and set out."""
@@ -331,7 +342,3 @@ class Simulation(Stateful):
         appropriateness = np.zeros(len(self.scenario.repertoire))
         weigh(robot, appropriateness)
         return appropriateness
-
-
-def _known(moment: float) -> float | None:
-    return None if math.isnan(moment) else float(moment)

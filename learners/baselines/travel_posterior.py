@@ -2,11 +2,13 @@
 
 Our own baseline, in the spirit of the delay densities of Knox & Stone (2009): it adds
 what a home shows, namely when the giver could perceive a behavior and how long the
-way was.
+way was, and how late and inexactly the robot notices that.
 """
 
 import math
 from dataclasses import dataclass
+
+import numpy as np
 
 from learners.credit.history import History
 from learners.credit.rules import LEAST_WEIGHT, CreditRule, Weighing
@@ -22,39 +24,46 @@ from learners.sums import added
 class TravelPosterior(CreditRule):
     """Posterior over past behaviors, given when the giver set out.
 
-    The giver set out at `approach_began` (it touched at once if it did not walk). A
-    behavior is perceived when it begins, or when the giver turns to the robot while it
-    lasts, or by ear only. From then on, the time until setting out is log-normal; a
-    behavior still going on may also be judged at any moment, so that an entry is as
-    likely as the best moment in it. Weights are the posterior, summing to 1.
+    The giver was noticed coming at `approach_began`, some time after it had set out;
+    how long after is not known, and the likelihood is the mean over it (a giver that
+    did not walk touched at once, and then that time is known). A behavior is perceived
+    when it begins, or when the giver turns to the robot while it lasts, or by ear only.
+    From then on, the time until setting out is log-normal; a behavior still going on
+    may also be judged at any moment, so that an entry is as likely as the best moment
+    in it. Weights are the posterior, summing to 1.
 
     Attributes:
-        reaction: [s] median time from perceiving to setting out, > 0. 1 s: our choice.
-        spread: standard deviation of its logarithm, > 0. 0.8: our choice (16 % take
-            more than 2.2 s).
+        reaction: [s] median time from perceiving to setting out, > 0. 1 s: people
+            take 1.01 s (CHARM, arXiv 2506.13079).
+        spread: standard deviation of its logarithm, > 0. 0.62, from there too.
+        late: [s] how late the robot notices that somebody sets out or turns to it on
+            average, >= 0. 0.5: as our households have it.
+        noise: [s] standard deviation of that, >= 0. 0.3, from there too.
         unseen: likelihood of judging by ear alone, against 1 for what was seen, in
             [0, 1]. 0.3: our choice.
     """
 
     reaction: float = 1.0
-    spread: float = 0.8
+    spread: float = 0.62
+    late: float = 0.5
+    noise: float = 0.3
     unseen: float = 0.3
 
     def __post_init__(self) -> None:
         check_positive("reaction", self.reaction)
         check_positive("spread", self.spread)
+        check_range("late", self.late, 0.0)
+        check_range("noise", self.noise, 0.0)
         check_range("unseen", self.unseen, 0.0, 1.0)
 
     def weigh(
         self, reward: Reward, history: History, network: SituationNetwork
     ) -> Weighing:
         """The posterior; the likeliest entry is the designated one."""
-        set_out = reward.approach_began
-        set_out = reward.time if set_out is None else set_out
-        latest = history.in_force(set_out)
-        mode = self.reaction * math.exp(-(self.spread**2))  # the likeliest delay
+        moments = self._setting_out(reward)
+        latest = history.in_force(max(moment for moment, _ in moments))
         likelihoods = {
-            index: self._likelihood(entry, set_out, reward.attention_began, mode)
+            index: self._mean_likelihood(entry, moments, reward.attention_began)
             for index, entry in enumerate(history.entries[: latest + 1])
         }
         total = added(likelihoods.values())
@@ -63,6 +72,30 @@ class TravelPosterior(CreditRule):
         posterior = {i: x / total for i, x in likelihoods.items()}
         weights = {i: p for i, p in posterior.items() if p >= LEAST_WEIGHT}
         return Weighing(weights, max(weights, key=weights.__getitem__))
+
+    def _setting_out(self, reward: Reward) -> list[tuple[float, float]]:
+        """Moments at which the giver may have set out [s], and their weights."""
+        if reward.approach_began is None:
+            return [(reward.time, 1.0)]
+        if self.noise == 0.0:
+            return [(reward.approach_began - self.late, 1.0)]
+        expected, latest = reward.approach_began - self.late, reward.time
+        return [(min(expected - self.noise * x, latest), w) for x, w in _NORMAL]
+
+    def _mean_likelihood(
+        self,
+        entry: Experience,
+        moments: list[tuple[float, float]],
+        noticed: float | None,
+    ) -> float:
+        """How likely an entry made the giver set out, whenever that was."""
+        turned = None if noticed is None else noticed - self.late
+        mode = self.reaction * math.exp(-(self.spread**2))  # the likeliest delay
+        return added(
+            weight * self._likelihood(entry, set_out, turned, mode)
+            for set_out, weight in moments
+            if entry.time < set_out
+        )
 
     def _likelihood(
         self, entry: Experience, set_out: float, turned: float | None, mode: float
@@ -84,3 +117,16 @@ class TravelPosterior(CreditRule):
 
 _AT_ONCE = 1e-300  # [s]; what is divided by less has no value in floating point
 _ROOT = math.sqrt(2.0 * math.pi)
+
+
+def _normal_nodes() -> tuple[tuple[float, float], ...]:
+    """Standard normal numbers and weights whose mean is nearly that of all of them.
+
+    Gauss-Hermite quadrature, exact for polynomials up to degree 13.
+    """
+    nodes, weights = np.polynomial.hermite_e.hermegauss(7)
+    shares = weights / weights.sum()
+    return tuple(zip(nodes.tolist(), shares.tolist(), strict=True))
+
+
+_NORMAL = _normal_nodes()

@@ -57,31 +57,32 @@ class FixedDelay:
 @saved
 @dataclass(frozen=True, kw_only=True)
 class BeforeApproach:
-    """The pair in force just before the giver left what it was doing to come over.
+    """The pair in force just before the giver made up its mind to come over.
 
-    That is the pair in force as it set out; but what the robot chose at that very
-    moment cannot be what moved it, and then it is the pair before. A giver that did not
-    need to walk means the pair in force at the touch.
+    That is some time before it was seen setting out, or before the touch if it did not
+    come walking, as people take a moment to react and robots to notice. What the robot
+    chose at that very moment cannot be what moved the giver; then it is the pair
+    before.
 
     Attributes:
-        reaction: [s] from perceiving a behavior to setting out, >= 0. 0: what was in
-            force when the giver set out is what moved it.
+        reaction: [s] how far to look back, >= 0. 1 s: people react after 1.01 s in the
+            median (CHARM, arXiv 2506.13079). 0: what was in force when the giver was
+            seen setting out is what moved it.
     """
 
-    reaction: float = 0.0
+    reaction: float = 1.0
 
     def __post_init__(self) -> None:
         check_range("reaction", self.reaction, 0.0)
 
     def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        if reward.approach_began is None:
-            return history.in_force(reward.time)
-        set_out = reward.approach_began - self.reaction
-        index = history.in_force(set_out)
+        came = reward.approach_began
+        moved = (reward.time if came is None else came) - self.reaction
+        index = history.in_force(moved)
         entry = history.entries[index]
-        chosen_then = entry.chosen and entry.time >= set_out
-        return history.before(set_out) if chosen_then else index
+        chosen_then = came is not None and entry.chosen and entry.time >= moved
+        return history.before(moved) if chosen_then else index
 
 
 @saved
@@ -96,16 +97,20 @@ class AttentionShift:
     Attributes:
         reach: [s] how long ago a shift may be, > 0. 15 s: our choice, the longest walk
             through a home at 1.2 m/s.
+        notice: [s] how far to look back from when the shift was noticed, >= 0. 1 s: a
+            turn of the head is noticed half a second late, hardly ever a second.
     """
 
     reach: float = 15.0
+    notice: float = 1.0
 
     def __post_init__(self) -> None:
         check_positive("reach", self.reach)
+        check_range("notice", self.notice, 0.0)
 
     def __call__(self, reward: Reward, history: History) -> int:
         """Index of that entry."""
-        began = reward.attention_began
-        if began is None or reward.time - began > self.reach:
+        noticed = reward.attention_began
+        if noticed is None or reward.time - noticed > self.reach:
             return history.in_force(reward.time)
-        return history.before(began)
+        return history.before(noticed - self.notice)

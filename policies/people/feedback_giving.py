@@ -1,4 +1,4 @@
-"""Giving feedback: which appraisals make people touch a robot, and how."""
+"""Giving feedback: which judgements make people touch a robot, how and how soon."""
 
 import math
 from collections.abc import Sequence
@@ -18,14 +18,23 @@ DRAWS = 2
 """For each robot in each moment: whether to react, and whether by mistake in the wrong
 way."""
 
+DELAY_DRAWS = 2
+"""For each person in each moment: they make one normal number, for how soon."""
+
 
 class FeedbackState(NamedTuple):
     """What everybody is out to do, and how welcome politeness is to each.
 
     Attributes:
         target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
+        struck: Who made up its mind to touch a robot when this was last considered,
+            shape (n_people,).
+        due: Who did so before and has not reacted yet, shape (n_people,).
+        left: Time until then, shape (n_people,) [s].
+        meant: Index of the robot that each made up its mind to touch, (n_people,).
         about: Index of the robot whose bout the touch is about, shape (n_people,).
         praises: Whether it is to be a caress, shape (n_people,).
+        strength: How strong it is to be, in [0, 1], shape (n_people,).
         waited: How long each has had its wish, shape (n_people,) [s].
         changed: Whose wish is another than before, shape (n_people,).
         freshness: How welcome each robot's politeness still is to each, in [0, 1],
@@ -33,8 +42,13 @@ class FeedbackState(NamedTuple):
     """
 
     target: Annotated[Indices, "n_people"]
+    struck: Annotated[Mask, "n_people"]
+    due: Annotated[Mask, "n_people"]
+    left: Annotated[Floats, "n_people"]
+    meant: Annotated[Indices, "n_people"]
     about: Annotated[Indices, "n_people"]
     praises: Annotated[Mask, "n_people"]
+    strength: Annotated[Floats, "n_people"]
     waited: Annotated[Floats, "n_people"]
     changed: Annotated[Mask, "n_people"]
     freshness: Annotated[Floats, "n_people", "n_robots"]
@@ -44,8 +58,13 @@ class FeedbackGiving(Stateful):
     """People's readiness to praise and to sanction.
 
     Faults are sanctioned more readily than politeness is praised; who came to expect
-    politeness praises it less and less, until a fault or a time without it brings the
-    wish back (paper, sections 3.1, 5.1 and 5.2).
+    politeness praises it less and less, until a fault that it sanctioned or a time
+    without politeness brings the wish back (paper, sections 3.1, 5.1 and 5.2).
+
+    Between the judgement and the moment at which a person sets about it lies its
+    reaction time (docs/deviations.md). As people decide once in a period, it is rounded
+    to whole periods. One thing is on a person's mind at a time: what it judges before
+    it has reacted and touched leads to nothing.
 
     Args:
         personas: Of each person; hold every constant.
@@ -58,7 +77,7 @@ class FeedbackGiving(Stateful):
         target: Index of the robot that each is out to touch, or `NOBODY`, (n_people,).
     """
 
-    STATE = ("_draws", "_state", "wishes")
+    STATE = ("_draws", "_state", "_meant", "wishes")
 
     def __init__(
         self,
@@ -67,12 +86,18 @@ class FeedbackGiving(Stateful):
         rngs: Sequence[np.random.Generator],
     ) -> None:
         n = len(personas)
-        self._draws = Draws(rngs, DRAWS * n_robots)
+        self._draws = Draws(rngs, DRAWS * n_robots + DELAY_DRAWS)
         self.wishes: list[Wish | None] = [None] * n
+        self._meant: list[Wish | None] = [None] * n
         self._state = FeedbackState(
             target=np.full(n, NOBODY, np.intp),
+            struck=np.zeros(n, np.bool_),
+            due=np.zeros(n, np.bool_),
+            left=np.zeros(n),
+            meant=np.full(n, NOBODY, np.intp),
             about=np.full(n, NOBODY, np.intp),
             praises=np.zeros(n, np.bool_),
+            strength=np.zeros(n),
             waited=np.zeros(n),
             changed=np.zeros(n, np.bool_),
             freshness=np.ones((n, n_robots)),
@@ -88,21 +113,21 @@ class FeedbackGiving(Stateful):
             self._percepts = percepts
             known = self._state, self._traits, percepts.appraisals, percepts.condition
             self._consider = bind(_consider, *known)
-        anybody = self._consider(percepts.period, self._draws.next())
-        if anybody:
-            for i in self.changed.nonzero()[0].tolist():
-                self.wishes[i] = self._wish(i, percepts)
+        if not self._consider(percepts.period, self._draws.next()):
+            return
+        for i in self._state.struck.nonzero()[0].tolist():
+            self._meant[i] = self._wish(i, percepts)
+        for i in self.changed.nonzero()[0].tolist():
+            self.wishes[i] = None if self.target[i] == NOBODY else self._meant[i]
 
-    def _wish(self, i: int, percepts: Percepts) -> Wish | None:
-        """What a person is out to do from now on."""
-        robot, about = int(self._state.target[i]), int(self._state.about[i])
-        if robot == NOBODY:
-            return None
+    def _wish(self, i: int, percepts: Percepts) -> Wish:
+        """What a person just made up its mind to do, for the bout that is going on."""
+        state = self._state
         return Wish(
-            robot=robot,
-            kind="caress" if self._state.praises[i] else "tap",
-            strength=abs(float(percepts.appraisals.value[i, about])),
-            cause=percepts.cause(about, percepts.time),
+            robot=int(state.meant[i]),
+            kind="caress" if state.praises[i] else "tap",
+            strength=float(state.strength[i]),
+            cause=percepts.cause(int(state.about[i]), percepts.time),
         )
 
 
@@ -123,17 +148,22 @@ def _consider(
         appraisals: What everybody thinks of what the robots do.
         condition: How everybody is doing.
         period: Time since the last call [s].
-        draws: Uniform numbers, shape (n_people, DRAWS * n_robots).
+        draws: Uniform numbers, shape (n_people, DRAWS * n_robots + DELAY_DRAWS).
 
     Returns:
-        Whether anybody is out to do something else than before.
+        Whether anybody made up its mind, or is out to do something else than before.
     """
     target, waited, changed = state.target, state.waited, state.changed
+    struck, due, left = state.struck, state.due, state.left
     anybody = False
     for i in range(len(target)):
         fresh, persona = state.freshness[i], traits[i]
         _recover(fresh, appraisals.pleasing[i], period, persona)
         waited[i] += period
+        left[i] -= period
+        struck[i] = False
+        if condition.touched[i] and target[i] != NOBODY and not state.praises[i]:
+            _make_welcome(fresh, target[i], state.strength[i], persona)
         ends = condition.touched[i] or waited[i] > persona["patience"]
         changed[i] = target[i] != NOBODY and ends
         if changed[i]:
@@ -148,13 +178,35 @@ def _consider(
             liked, robot = appraisals.value[i, r], appraisals.believed[i, r]
             ready = chance < _readiness(liked, condition.mood[i], fresh[robot], persona)
             fresh[robot] = _used_to(fresh[robot], liked, persona)
-            calls = calls_for_feedback(liked, appraisals.attending[i, r], persona)
-            if ready and calls and target[i] == NOBODY:
-                target[i], state.about[i], waited[i] = robot, r, 0.0
+            if ready and not due[i] and target[i] == NOBODY:
+                struck[i] = due[i] = True
+                state.meant[i], state.about[i] = robot, r
+                state.strength[i] = abs(liked)
                 state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
-                changed[i] = True
-        anybody |= changed[i]
+                left[i] = _reaction(abs(liked), draws[i, -DELAY_DRAWS:], persona)
+        # At the nearest decision, so that reactions are not later on average.
+        if due[i] and left[i] < period / 2:
+            target[i], waited[i], due[i] = state.meant[i], 0.0, False
+            changed[i] = True
+        anybody |= changed[i] or struck[i]
     return anybody
+
+
+@compiled
+def _reaction(strength: float, draws: Floats, persona: np.void) -> float:
+    """How long it takes from a judgement to a reaction [s].
+
+    Log-normal; the median falls with the strength of the feeling.
+
+    Args:
+        strength: In [0, 1].
+        draws: Two uniform numbers.
+        persona: Its row of the traits.
+    """
+    median = persona["reaction"] * (1.0 - persona["haste"]) ** strength
+    # A standard normal number, after Box and Muller.
+    z = math.sqrt(-2.0 * math.log(1.0 - draws[0])) * math.cos(2.0 * math.pi * draws[1])
+    return median * math.exp(persona["reaction_spread"] * z)
 
 
 @compiled
@@ -176,20 +228,14 @@ def _readiness(value: float, mood: float, fresh: float, persona: np.void) -> flo
 
 @compiled
 def _used_to(fresh: float, value: float, persona: np.void) -> float:
-    """Politeness becomes what is expected; a fault makes it welcome again."""
-    if value > 0.0:
-        return fresh * (1.0 - persona["habituation"] * value)
-    return fresh + persona["contrast"] * -value * (1.0 - fresh)
+    """Politeness becomes what is expected."""
+    return fresh * (1.0 - persona["habituation"] * max(value, 0.0))
 
 
 @compiled
-def calls_for_feedback(value: float, attending: bool, persona: np.void) -> bool:
-    """Whether a bout is one that such a person reacts to at all.
+def _make_welcome(fresh: Floats, robot: int, tap: float, persona: np.void) -> None:
+    """A robot that was tapped is praised again for what is polite.
 
-    Args:
-        value: What it thinks of the bout, in [-1, 1].
-        attending: Whether it attended to what did it.
-        persona: Its row of the traits.
+    Only a tap that was given does that, not a fault that nobody answered.
     """
-    missed = persona["only_when_attending"] and not attending
-    return not (abs(value) < persona["tolerance"] or missed)
+    fresh[robot] += persona["contrast"] * tap * (1.0 - fresh[robot])

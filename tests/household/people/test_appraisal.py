@@ -10,11 +10,14 @@ from household import household_v0
 from household.activity import Activity
 from household.config.toml import shipped
 from household.people.appraisal import (
+    can_judge,
     heard_strength,
     seen_strength,
 )
 from household.people.feelings import moved_mood, opinion
 from household.people.person import everyone_of
+from household.people.traits import traits_of
+from household.scenario.behavior import Behavior
 from household.scenario.norms import Norm, household_norms, norm_table
 from household.scenario.persona import Persona, load_persona
 from household.scenario.population import Population, individual, preferences
@@ -108,6 +111,113 @@ def test_a_bout_is_appraised_once_however_long_it_lasts(household_of):
         annoyed.append(feelings.annoyed[0, 0])
     # A bark takes two seconds; then it is another bark.
     assert annoyed == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
+
+
+def judged_at(scenario, actions, seed=1):
+    """Each time at which somebody judged a bout: when, who and what it thought."""
+    env = household_v0.parallel_env(scenario)
+    env.reset(seed=seed)
+    found = env.simulation.people.appraisals
+    judged = []
+    for action in actions:
+        env.step({"robot_0": action})
+        judged += [
+            (env.time, int(i), round(float(found.value[i, 0]), 3))
+            for i in found.new[:, 0].nonzero()[0]
+        ]
+    return env, judged
+
+
+def glancing(persona, look_for, look_away):
+    """Somebody on the phone who looks at the robot for a while, then away, ..."""
+    times = {"look_for": (look_for, look_for), "look_away": (look_away, look_away)}
+    return on_the_phone(persona, look_at="robot_0", **times)
+
+
+NEAR = (RobotSpec(position=(2.0, 2.5)),)
+WHINE = {"whine": Behavior(description="Whines", duration=12.0, loudness=70.0)}
+
+
+def whining_at(household_of, persona, **changes):
+    """She looks at the robot for 3 s, then away for 6 s, over and over."""
+    usual = {
+        "behaviors": ("whine", "sleep"),
+        "behavior": WHINE,
+        "robots": NEAR,
+        "people": glancing(persona, 3.0, 6.0),
+        "norms": {
+            "calling": {"attending": {"whine": -1.0}, "absorbed": {"whine": -0.5}}
+        },
+    }
+    return household_of(**(usual | changes))
+
+
+def test_a_bout_that_began_unseen_is_judged_when_its_watcher_comes_to_look(
+    household_of,
+):
+    """The whine begins at 4 s, as she looks away, and she looks again from 9 s on."""
+    home = whining_at(household_of, mild(only_when_attending=True))
+    env, judged = judged_at(home, [SLEEP] * 4 + [0] * 12)
+    assert [(who, value) for _, who, value in judged] == [(0, -1.0)]
+    ((when, _, _),) = judged
+    assert 9.0 <= when <= 11.0
+    assert env.simulation.people.feelings.annoyed[0, 0] == 1.0
+
+
+def test_who_need_not_watch_judges_it_by_ear_at_once_and_only_then(household_of):
+    home = whining_at(household_of, mild())
+    _, judged = judged_at(home, [SLEEP] * 4 + [0] * 12)
+    assert judged == [(5.0, 0, -0.5)]
+
+
+def test_a_bout_that_is_over_when_its_watcher_comes_to_look_is_never_judged(
+    household_of,
+):
+    """A short one: 4 s to 6 s, while she looks away; then the robot sleeps."""
+    home = whining_at(
+        household_of,
+        mild(only_when_attending=True),
+        behavior={"whine": Behavior(description="Whines", duration=2.0, loudness=70.0)},
+    )
+    _, judged = judged_at(home, [SLEEP] * 4 + [0] * 2 + [SLEEP] * 10)
+    assert judged == []
+
+
+def test_a_bout_heard_too_faintly_to_mind_is_judged_when_it_is_perceived_better(
+    household_of,
+):
+    """41.5 dB at her ear are .05 of full strength: less than she minds. Looking at the
+    robot, she sees it with .35 of her attention, which counts .69."""
+    murmur = Behavior(description="Murmurs", duration=12.0, loudness=55.48)
+    home = whining_at(
+        household_of,
+        mild(tolerance=0.1),
+        behavior={"whine": murmur},
+        robots=(RobotSpec(position=(6.0, 2.5)),),
+        norms={"calling": {"attending": {"whine": -1.0}, "absorbed": {"whine": -1.0}}},
+    )
+    _, judged = judged_at(home, [SLEEP] * 4 + [0] * 12)
+    ((when, _, value),) = judged
+    assert 9.0 <= when <= 11.0
+    assert value < -0.5
+
+
+@pytest.mark.parametrize(
+    ("value", "attending", "traits", "judged"),
+    [
+        (-0.99, True, {"tolerance": 1.0}, False),
+        (-1.0, True, {"tolerance": 1.0}, True),
+        (0.2, False, {"tolerance": 0.1}, True),
+        (0.0, True, {"tolerance": 0.0}, False),
+        (-1.0, False, {"only_when_attending": True}, False),
+        (-1.0, True, {"only_when_attending": True}, True),
+    ],
+)
+def test_what_is_judged_is_strong_enough_and_watched_where_that_matters(
+    value, attending, traits, judged
+):
+    (row,) = traits_of([mild(**traits)])
+    assert can_judge(value, attending, row) == judged
 
 
 def test_what_is_neither_seen_nor_heard_is_not_appraised(household_of):

@@ -125,6 +125,16 @@ def test_the_population_leaves_first_observations_byte_identical(shipped_scenari
     assert first_moments(other) == first_moments(scenario)
 
 
+def test_tastes_that_will_change_leave_first_observations_byte_identical(
+    shipped_scenario,
+):
+    scenario = load_scenario(shipped_scenario)
+    changes = [{"at": 5.0, "over": 9.0, "norms": contrary(scenario)}]
+    assert first_moments(load_scenario(scenario, changes=changes)) == first_moments(
+        scenario
+    )
+
+
 def test_the_turned_norms_show_only_in_touches(household_of):
     """The contrary household is another one: the test above is not empty."""
     taps = []

@@ -10,18 +10,26 @@ from household.feedback import Cause
 from household.observation.encodings import layout
 from household.scenario.behavior import Behavior
 from household.scenario.persona import Persona
-from household.scenario.scenario import PersonSpec, RobotSpec, ScriptStep
+from household.scenario.scenario import (
+    PerceptionModel,
+    PersonSpec,
+    RobotSpec,
+    ScriptStep,
+)
 
 BARK, SLEEP = 0, 1
 ON_THE_PHONE = (ScriptStep(place="phone", duration=(900.0, 900.0)),)
 NORMS = {"calling": {"attending": {"bark": -1.0}, "absorbed": {"bark": -1.0}}}
 REACH = 0.8
 STEERING = 0.2
+EXACT = PerceptionModel(notice_delay=0.0, notice_noise=0.0)
 
 
 def person(name="ann", start=None, script=ON_THE_PHONE, **traits):
-    """Someone who sanctions every fault for certain and looks at nothing else."""
+    """Someone who sanctions every fault for certain, at once, and looks at nothing
+    else."""
     usual = {
+        "reaction": 0.0,
         "sanction": 1.0,
         "praise": 1.0,
         "robot_interest": 0.0,
@@ -34,20 +42,26 @@ def person(name="ann", start=None, script=ON_THE_PHONE, **traits):
 
 @pytest.fixture
 def barked_at(household_of):
-    """A bark at the very beginning; gives the environment and all touches."""
+    """A bark, at the very beginning or later; gives the environment and all touches.
 
-    def play(steps=20, robot=(6.0, 2.5), people=None, **changes):
-        scenario = household_of(
-            people=people or (person(),),
-            robots=(RobotSpec(position=robot),),
-            norms=NORMS,
-            **changes,
-        )
+    The robot notices at once and exactly when somebody comes.
+    """
+
+    def play(steps=20, robot=(6.0, 2.5), people=None, at=0, **changes):
+        usual = {
+            "people": people or (person(),),
+            "robots": (RobotSpec(position=robot),),
+            "norms": NORMS,
+            "perception": EXACT,
+        }
+        scenario = household_of(**(usual | changes))
         env = household_v0.parallel_env(scenario)
         env.reset(seed=1)
         felt = []
         for step in range(steps):
-            _, rewards, _, _, infos = env.step({"robot_0": SLEEP if step else BARK})
+            _, rewards, _, _, infos = env.step(
+                {"robot_0": BARK if step == at else SLEEP}
+            )
             touches = env.feedback("robot_0")
             assert rewards["robot_0"] == sum(touch.value for touch in touches)
             assert infos["robot_0"]["taps"] + infos["robot_0"]["caresses"] == len(
@@ -79,6 +93,18 @@ def test_the_way_from_the_phone_to_the_robot_is_the_delay_of_the_tap(
     assert tap.kind == "tap"
     assert tap.giver == "ann"
     assert tap.approach_began == 1.0
+
+
+def test_the_time_to_react_comes_before_the_way(barked_at):
+    """Two seconds more, in which she stays where she is; the cause is what it was."""
+    slow = person(reaction=2.0, haste=0.0, reaction_spread=0.0)
+    _, (soon,) = barked_at()
+    env, (late,) = barked_at(people=(slow,))
+    assert late.time == pytest.approx(soon.time + 2.0)
+    assert late.approach_began == soon.approach_began + 2.0
+    env, felt = barked_at(steps=3, people=(slow,))
+    assert felt == []
+    assert math.dist(env.simulation.crowd.position[0], (1.0, 2.5)) < 1e-6
 
 
 def test_who_is_within_reach_touches_without_a_walk(barked_at):
@@ -113,7 +139,8 @@ def test_a_robot_behind_a_wall_is_not_touched_through_it(barked_at, room):
     )
     env, (tap,) = barked_at(robot=(1.76, 2.5), home=thin)
     assert tap.time > 1.0 + 2.0 / 1.2
-    assert tap.approach_began == 1.0
+    # Round the end of the wall she first goes away from it.
+    assert tap.approach_began == 3.0
     assert env.feedback("robot_0") == ()
 
 
@@ -192,8 +219,17 @@ def test_two_who_mind_both_tap_and_the_reward_is_the_sum(household_of):
     assert env.observation_space("robot_0").contains(observations["robot_0"])
 
 
-def test_a_wish_that_came_up_on_the_way_elsewhere_begins_an_approach_of_its_own(
-    household_of,
+@pytest.mark.parametrize(
+    ("robot", "seen"),
+    [
+        # All the way to the rug she gets nearer: nobody can see that she now means it.
+        ((6.0, 4.5), 3.0),
+        # From this one she goes away, until she turns round.
+        ((0.6, 4.5), 6.0),
+    ],
+)
+def test_who_is_on_the_way_elsewhere_is_seen_coming_since_it_visibly_gets_nearer(
+    household_of, robot, seen
 ):
     """She walks from the phone to the rug when the robot barks, and turns to it."""
     walk = (
@@ -204,8 +240,9 @@ def test_a_wish_that_came_up_on_the_way_elsewhere_begins_an_approach_of_its_own(
     env = household_v0.parallel_env(
         household_of(
             people=(person(script=walk),),
-            robots=(RobotSpec(position=(6.0, 4.5)),),
+            robots=(RobotSpec(position=robot),),
             norms=unknown,
+            perception=EXACT,
         )
     )
     env.reset(seed=1)
@@ -215,8 +252,22 @@ def test_a_wish_that_came_up_on_the_way_elsewhere_begins_an_approach_of_its_own(
             break
     (tap,), (cause,) = env.feedback("robot_0"), env.causes("robot_0")
     assert cause.decision == 5
-    # The bark was first judged at 6 s; she has been walking since about 3 s.
-    assert tap.approach_began == 6.0
+    # The bark was judged at 6 s; she has been walking since about 3 s.
+    assert cause.time == 6.0
+    assert tap.approach_began == seen
+
+
+def test_what_a_robot_sees_of_her_coming_tells_nothing_of_when_she_judged_it(
+    barked_at,
+):
+    """One makes up her mind at 1 s and takes two seconds to set out; the other judges a
+    later bark and sets out at once. They walk alike, and are seen to."""
+    slow = person(reaction=2.0, haste=0.0, reaction_spread=0.0)
+    _, (one,) = barked_at(people=(slow,), perception=PerceptionModel())
+    _, (other,) = barked_at(at=2, perception=PerceptionModel())
+    assert one.time == other.time
+    assert one.approach_began == other.approach_began
+    assert one.approach_began not in (1.0, 3.0)
 
 
 def test_an_approach_to_a_robot_that_moves_away_began_where_it_began(household_of):
@@ -227,6 +278,7 @@ def test_an_approach_to_a_robot_that_moves_away_began_where_it_began(household_o
             behavior={"stroll": flee},
             people=(person(),),
             norms=NORMS,
+            perception=EXACT,
         )
     )
     env.reset(seed=2)

@@ -118,22 +118,54 @@ def phone_history(entry):
 
 
 def test_the_travel_posterior_looks_before_the_giver_set_out(phone_history, touch):
-    tap = touch(value=-1.0, time=7.5, approach_began=3.0, attention_began=0.0)
+    tap = touch(value=-1.0, time=7.5, approach_began=3.5, attention_began=0.5)
     weights, designated = weigh(TravelPosterior(), tap, phone_history)
     assert designated in (0, 1)
-    assert 2 not in weights
+    assert weights.get(2, 0.0) < 0.25
     assert sum(weights.values()) == pytest.approx(1.0)
+    exact, _ = weigh(TravelPosterior(noise=0.0), tap, phone_history)
+    assert 2 not in exact
 
 
 def test_the_travel_posterior_worked_by_hand(phone_history, touch):
     tap = touch(value=-1.0, time=7.5, approach_began=3.0, attention_began=0.0)
-    rule = TravelPosterior(reaction=1.0, spread=1.0)
+    rule = TravelPosterior(reaction=1.0, spread=1.0, late=0.0, noise=0.0)
     # mode exp(-1) = 0.368 s: 2 to 3 s holds it; of 0 to 2 s the likeliest delay is 1 s
     near = math.exp(-0.5) / math.exp(-1)  # density at the mode, times sqrt(2 pi)
     far = 1.0
     weights, _ = weigh(rule, tap, phone_history)
     assert weights[1] == pytest.approx(near / (near + far))
     assert weights[0] == pytest.approx(far / (near + far))
+
+
+def test_a_giver_noticed_late_is_judged_as_if_it_had_been_noticed_at_once(
+    phone_history, touch
+):
+    at_once = touch(value=-1.0, time=7.5, approach_began=3.0, attention_began=0.0)
+    late = touch(value=-1.0, time=7.5, approach_began=3.7, attention_began=0.7)
+    keen, slow = (TravelPosterior(late=t, noise=0.0) for t in (0.0, 0.7))
+    expected = weigh(keen, at_once, phone_history)
+    found = weigh(slow, late, phone_history)
+    assert found.weights == pytest.approx(expected.weights)
+    assert found.designated == expected.designated
+
+
+def test_who_notices_inexactly_averages_over_when_the_giver_set_out(
+    phone_history, touch
+):
+    """By hand: 20,000 draws of when it set out, in place of seven nodes."""
+    tap = touch(value=-1.0, time=7.5, approach_began=3.5, attention_began=0.5)
+    rule = TravelPosterior(noise=0.4)
+    exact = TravelPosterior(noise=0.0, late=0.0)
+    drawn = np.random.default_rng(1).normal(3.0, 0.4, 20_000)
+    mode = math.exp(-(rule.spread**2))
+    likely = np.zeros(3)
+    for index, entry in enumerate(phone_history.entries):
+        for set_out in drawn[drawn > entry.time]:
+            likely[index] += exact._likelihood(entry, set_out, 0.0, mode)
+    weights, _ = weigh(rule, tap, phone_history)
+    found = [weights.get(index, 0.0) for index in range(3)]
+    assert found == pytest.approx(likely / likely.sum(), abs=0.04)
 
 
 def test_what_was_only_heard_counts_for_less(phone_history, touch):

@@ -24,7 +24,7 @@ def pointing_at(state):
 @pytest.fixture
 def split(touch):
     """A touch that says b by the approach and c by the attention."""
-    return touch(time=4.0, approach_began=2.0, attention_began=3.0)
+    return touch(time=4.5, approach_began=3.0, attention_began=4.0)
 
 
 @pytest.mark.parametrize(("state", "index"), [("b", 1), ("c", 2)])
@@ -37,7 +37,7 @@ def test_a_split_vote_is_put_before_the_giver(history, split, state, index):
 def test_an_undivided_vote_needs_no_question(history, touch):
     advice = Advice(ask=pointing_at("never asked"))
     assert (
-        advice(touch(time=4.0, approach_began=2.0, attention_began=2.0), history) == 1
+        advice(touch(time=4.5, approach_began=3.0, attention_began=3.0), history) == 1
     )
     assert advice.asked == 0
 

@@ -59,7 +59,7 @@ def column(rule, reward, history, network):
 
 
 def test_table_1_heuristic_column(paper_history, paper_network, touch):
-    tap = touch(value=-1.0, time=5.5, approach_began=0.5)
+    tap = touch(value=-1.0, time=5.5, approach_began=1.5)
     rule = Designated(heuristic=BeforeApproach(), sigma_stm=1.6, sigma_rwd=1.0)
     assert column(rule, tap, paper_history, paper_network) == [
         0.000,
@@ -138,7 +138,8 @@ def test_what_is_chosen_as_the_giver_sets_out_did_not_move_it(
     history.append(entry("way", 0, 0.0, next_time=4.0))
     history.append(entry("calling", 0, 4.0, next_time=5.0, chosen=chosen))
     history.append(entry("way back", 0, 5.0, next_time=9.0, chosen=False))
-    index = BeforeApproach()(touch(time=9.0, approach_began=4.0), history)
+    at_once = BeforeApproach(reaction=0.0)
+    index = at_once(touch(time=9.0, approach_began=4.0), history)
     assert history.entries[index].state == designated
 
 
@@ -162,10 +163,17 @@ def test_a_trace_is_cut_at_an_exploratory_behavior(entry, touch):
         (MostRecent(), {}, (11, 0)),
         (FixedDelay(delay=3.0), {}, (8, 0)),
         (FixedDelay(delay=5.0), {}, (5, 0)),
-        (BeforeApproach(), {"approach_began": 1.0}, (5, 0)),
+        (BeforeApproach(), {"approach_began": 1.5}, (5, 0)),
+        # Situation 6 began with what it chose a second before: the pair before that.
+        (BeforeApproach(), {"approach_began": 2.0}, (5, 0)),
+        (BeforeApproach(), {"approach_began": 2.1}, (6, 0)),
+        (BeforeApproach(reaction=0.0), {"approach_began": 1.0}, (5, 0)),
         (BeforeApproach(reaction=2.0), {"approach_began": 1.0}, (5, 1)),
-        (BeforeApproach(), {"approach_began": None}, (11, 0)),
-        (AttentionShift(), {"attention_began": 3.0}, (8, 0)),
+        # At hand: what was done a second before the touch.
+        (BeforeApproach(), {"approach_began": None}, (13, 0)),
+        (BeforeApproach(reaction=0.0), {"approach_began": None}, (11, 0)),
+        (AttentionShift(), {"attention_began": 4.0}, (8, 0)),
+        (AttentionShift(notice=0.0), {"attention_began": 3.0}, (8, 0)),
         (AttentionShift(), {"attention_began": None}, (11, 0)),
         (AttentionShift(reach=1.0), {"attention_began": 3.0}, (11, 0)),
     ],

@@ -26,7 +26,13 @@ def percept(*bouts, **changes):
 
 def certain(**traits):
     """Somebody who reacts to whatever is wholly good or bad."""
-    usual = {"praise": 1.0, "sanction": 1.0, "habituation": 0.0, "irritability": 0.0}
+    usual = {
+        "praise": 1.0,
+        "sanction": 1.0,
+        "habituation": 0.0,
+        "irritability": 0.0,
+        "reaction": 0.0,
+    }
     return Persona(name="certain", **(usual | traits))
 
 
@@ -103,15 +109,6 @@ CARESS, TAP = ("caress", 0), ("tap", 0)
             [percept(bout(-1.0)), *[NOTHING] * 3],
             [TAP, TAP, TAP, None],
         ),
-        # Weak appraisals call for nothing.
-        ({"tolerance": 1.0}, [percept(bout(-0.99))], [None]),
-        ({"tolerance": 1.0}, [percept(bout(-1.0))], [TAP]),
-        # Who gives feedback only when attending.
-        (
-            {"only_when_attending": True},
-            [percept(bout(-1.0, attending=False)), percept(bout(-1.0))],
-            [None, TAP],
-        ),
         ({}, [percept(bout(-1.0, attending=False))], [TAP]),
         ({"mistakes": 1.0}, [percept(bout(-1.0))], [CARESS]),
         ({"mistakes": 1.0}, [percept(bout(1.0))], [TAP]),
@@ -145,6 +142,65 @@ def test_a_wish_changes_when_it_is_formed_and_when_it_ends(percepts):
     assert wished[0] == wished[1] is not None
     assert wished[2:] == [None, None]
     assert changed == [[True, False], [False, False], [True, False], [False, False]]
+
+
+def delays(percepts, persona, value=-1.0, period=1.0, most=200):
+    """How many periods many people take to react to a bout, in seconds."""
+    rngs = [np.random.default_rng(seed) for seed in range(LIVES)]
+    people = FeedbackGiving([persona] * LIVES, 1, rngs)
+    taken = np.full(LIVES, np.nan)
+    for k in range(most):
+        bouts = () if k else (bout(value),)
+        people.consider(percepts(LIVES, 1, bouts=bouts, period=period))
+        taken[people.changed & np.isnan(taken)] = k * period
+    return taken
+
+
+@pytest.mark.parametrize(("value", "median"), [(-1.0, 0.75), (0.5, 1.08), (0.1, 1.43)])
+def test_people_react_as_fast_as_those_who_taught_a_robot_arm(percepts, value, median):
+    """CHARM: strong ratings .75 s, weaker ones 1.2 s, those of 0 1.54 s."""
+    taken = delays(percepts, certain(reaction=1.54), value, 0.01, 900)
+    reacted = taken[~np.isnan(taken)]
+    # The standard error of the logarithm's median.
+    error = 0.48 * math.sqrt(math.pi / 2 / len(reacted))
+    assert np.median(reacted) == pytest.approx(median, rel=4 * error + 0.01)
+    if abs(value) == 1.0:
+        assert np.std(np.log(reacted)) == pytest.approx(0.48, rel=0.1)
+
+
+def test_who_decides_once_a_second_reacts_at_the_nearest_second(percepts):
+    """Half a second in the median, hardly spread: below that at once, above a second
+    later."""
+    swift = certain(reaction=0.4, haste=0.0, reaction_spread=0.01)
+    slow = certain(reaction=0.6, haste=0.0, reaction_spread=0.01)
+    assert set(delays(percepts, swift, most=3)) == {0.0}
+    assert set(delays(percepts, slow, most=3)) == {1.0}
+
+
+def test_rounding_to_decisions_makes_reactions_neither_later_nor_earlier(percepts):
+    persona = certain(reaction=3.0, haste=0.0)
+    mean = 3.0 * math.exp(0.48**2 / 2)
+    assert np.mean(delays(percepts, persona)) == pytest.approx(mean, rel=0.04)
+
+
+def test_the_touch_is_for_the_bout_that_was_judged_however_late_it_comes(percepts):
+    """A fault at 12 s, 2 s of reaction; by then it plays, which pleases as much."""
+    late = certain(reaction=2.0, haste=0.0, reaction_spread=0.0)
+    person = FeedbackGiving([late], 1, [np.random.default_rng(0)])
+    wished = []
+    for k, value in enumerate((-1.0, 1.0, 1.0, 1.0)):
+        what = percepts(1, 1, bouts=(bout(value),), time=12.0 + k)
+        person.consider(what)
+        wished.append(person.wishes[0])
+    assert wished[:2] == [None, None]
+    assert wished[2] == wished[3]
+    assert (wished[2].kind, wished[2].cause.time) == ("tap", 12.0)
+
+
+def test_patience_counts_from_the_reaction(wishes):
+    late = certain(reaction=3.0, haste=0.0, reaction_spread=0.0, patience=2.0)
+    wished = wishes(late, [percept(bout(-1.0)), *[NOTHING] * 6])
+    assert wished == [None, None, None, TAP, TAP, TAP, None]
 
 
 def test_a_new_wish_has_all_its_patience(wishes):
@@ -195,13 +251,41 @@ def test_while_what_pleases_goes_on_the_wish_to_praise_does_not_recover(share):
     assert share(persona, [polite, *[going_on] * 50], polite) == chance(0.5)
 
 
-@pytest.mark.parametrize(("fault", "after"), [(-1.0, 0.5), (-0.5, 0.25)])
-def test_a_fault_makes_politeness_welcome_again(share, fault, after):
+@pytest.mark.parametrize(
+    ("fault", "after"),
+    [
+        (-1.0, 0.5),
+        # Half as bad: half of the people sanction it, with half of the effect.
+        (-0.5, 0.5 * 0.25),
+    ],
+)
+def test_a_fault_that_was_sanctioned_makes_politeness_welcome_again(
+    share, fault, after
+):
     """Wholly used to it; contrast of one half brings back half of the wish."""
     persona = certain(habituation=1.0, contrast=0.5, recovery=1e9)
     polite, bad = percept(bout(1.0), pleasing=True), percept(bout(fault))
     assert share(persona, [polite], polite) == 0.0
-    assert share(persona, [polite, bad], polite) == chance(after)
+    assert share(persona, [polite, DONE, bad], polite) == chance(after)
+
+
+def test_a_fault_that_nobody_sanctions_does_not_make_politeness_welcome(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9, sanction=0.0)
+    polite, bad = percept(bout(1.0), pleasing=True), percept(bout(-1.0))
+    assert share(persona, [polite, DONE, *[bad] * 5], polite) == 0.0
+
+
+def test_who_gave_up_on_the_way_has_sanctioned_nothing(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9, patience=2.0)
+    polite, bad = percept(bout(1.0), pleasing=True), percept(bout(-1.0))
+    given_up = [bad, *[NOTHING] * 3]
+    assert share(persona, [polite, DONE, *given_up], polite) == 0.0
+
+
+def test_a_caress_does_not_make_politeness_welcome(share):
+    persona = certain(habituation=1.0, contrast=1.0, recovery=1e9)
+    polite = percept(bout(1.0), pleasing=True)
+    assert share(persona, [polite, DONE], polite) == 0.0
 
 
 def test_faults_are_sanctioned_as_readily_however_often_they_come(share):
@@ -238,7 +322,7 @@ def test_mistakes_come_at_their_rate(wishes):
 
 def test_sanction_outweighs_praise_by_default(share):
     fault, polite = percept(bout(-1.0)), percept(bout(1.0))
-    persona = Persona(name="default")
+    persona = Persona(name="default", reaction=0.0)
     assert share(persona, [], fault) > 1.5 * share(persona, [], polite)
 
 

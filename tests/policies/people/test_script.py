@@ -168,7 +168,8 @@ def mind(percepts):
 
     def make(*lines, **traits):
         usual = {"sanction": 1.0, "robot_interest": 0.0, "people_interest": 0.0}
-        persona = Persona(name="test", **(usual | {"reflex": 0.0} | traits))
+        swift = {"reflex": 0.0, "reaction": 0.0}
+        persona = Persona(name="test", **(usual | swift | traits))
         routines = [partial(Script, lines)] * 2
         minds = EverydayMinds([persona] * 2, routines, 2)
         rngs = [np.random.default_rng(i) for i in range(2)]
