@@ -17,6 +17,7 @@ from experiments.commands.reproducing import Report, Reproduce
 from experiments.commands.scenarios import Check, Scenarios
 from experiments.commands.studying import StudyCommand
 from experiments.commands.training import Train
+from experiments.commands.validating import Validate
 from experiments.commands.warming import WarmUp
 
 
@@ -33,6 +34,7 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "train": Train,
     "evaluate": Evaluate,
     "study": StudyCommand,
+    "validate": Validate,
     "replay": Replay,
     "record": Record,
     "scenarios": Scenarios,

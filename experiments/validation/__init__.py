@@ -1,0 +1,1 @@
+"""Simulated people beside published figures of real ones: `household validate`."""
