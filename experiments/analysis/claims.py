@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -88,13 +88,9 @@ class Claim:
         Args:
             frame: The table of the study that the claim belongs to.
         """
-        estimate = self._estimate(self.measure, frame)
-        enough = self.least is None or estimate.value >= self.least
         ask = self.reference
-        return Finding(
-            claim=self,
-            estimate=estimate,
-            holds=bool(enough and RULES[self.rule](estimate, self.threshold)),
+        return replace(
+            self.judge(self.measure.values(frame)),
             floor=self._estimate(ask(FLOOR), frame) if ask else None,
             ceiling=self._estimate(ask(CEILING), frame) if ask else None,
             compared={
@@ -103,9 +99,20 @@ class Claim:
             },
         )
 
+    def judge(self, values: FloatArray) -> Finding:
+        """Returns what came out, without anything beside it.
+
+        Args:
+            values: What was measured, one number per seed, shape (n_seeds,); seeds that
+                have NaN are left out.
+        """
+        estimate = self.estimate(values[~np.isnan(values)])
+        enough = self.least is None or estimate.value >= self.least
+        holds = bool(enough and RULES[self.rule](estimate, self.threshold))
+        return Finding(claim=self, estimate=estimate, holds=holds)
+
     def _estimate(self, measure: StudyMeasure, frame: pl.DataFrame) -> Estimate:
-        values = measure.values(frame)
-        return self.estimate(values[~np.isnan(values)])
+        return self.judge(measure.values(frame)).estimate
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from experiments.commands.benchmarking import Bench
 from experiments.commands.evaluating import Evaluate
+from experiments.commands.mapping import Maps
 from experiments.commands.recording import Record
 from experiments.commands.replaying import Replay
 from experiments.commands.reproducing import Report, Reproduce
@@ -33,6 +34,7 @@ COMMANDS: Mapping[str, Callable[..., Command]] = {
     "report": Report,
     "train": Train,
     "evaluate": Evaluate,
+    "maps": Maps,
     "study": StudyCommand,
     "validate": Validate,
     "replay": Replay,

@@ -90,6 +90,9 @@ class Column:
     across: str = "time [min]"
     """What the x axis shows, with its unit."""
 
+    is_scale: bool = True
+    """Whether round numbers are to be marked on the x axis; else as the panels do."""
+
 
 def save(
     columns: Sequence[Column], stem: Path, kinds: Sequence[str] = (".svg", ".png")
@@ -157,7 +160,9 @@ def _arranged(columns: Sequence[Column]) -> Figure:
         below = 14 if grid[0, index].get_legend() is None else 26
         grid[0, index].set_title(column.title, pad=below)
         grid[-1, index].set_xlabel(column.across)
-        grid[-1, index].xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+        if column.is_scale:
+            locator = MaxNLocator(6, steps=[1, 2, 5, 10])
+            grid[-1, index].xaxis.set_major_locator(locator)
     figure.align_ylabels()
     figure.draw_without_rendering()  # lays out
     figure.set_layout_engine("none")  # and need not do so for each file again

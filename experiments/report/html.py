@@ -63,6 +63,8 @@ def _context(published: Published) -> dict[str, Any]:
         "factorial": [_factorial(one) for one in published.factorial],
         "silence": _silence(published.factorial),
         "sensitivity": published.sensitivity,
+        "maps": published.maps,
+        "ablations": published.ablations,
         "session": published.reproduced[-1].document["sessions"][-1],
     }
 

@@ -18,6 +18,7 @@ from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS, Experiment
 from experiments.report.figures import FiguresOf, drawing, stored_study
 from experiments.report.html import write_report
+from experiments.report.maps import ablation_tables, drawn_maps
 from experiments.report.records import Published, Reproduced
 from experiments.report.study_tables import summarize_factorial, summarize_sensitivity
 from experiments.running.files import (
@@ -52,6 +53,8 @@ def publish(out: Path) -> Published:
         sensitivity=summarize_sensitivity(
             out, {part.experiment.number: part.frame for part in reproduced}
         ),
+        maps=drawn_maps(out),
+        ablations=ablation_tables(out),
         claims_file=out / "claims.json",
         report_file=out / "report.html",
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,10 +10,12 @@ from typing import Any
 import polars as pl
 
 from experiments.analysis.claims import Finding
+from experiments.analysis.deciding import HOLDS
 from experiments.analysis.evaluation import Evaluation
 from experiments.analysis.tables import Table
 from experiments.paper import Experiment
 from experiments.running.study import Study
+from experiments.studies.maps import Levels, Map
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,6 +110,60 @@ class SensitivitySummary:
     """Trials per condition, at least."""
 
 
+FindingsOfMap = Mapping[tuple[str, Levels], Finding]
+"""What came of each claim in each cell."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawnMap:
+    """A map as it is shown."""
+
+    mapped: Map
+    """What was mapped."""
+
+    found: FindingsOfMap
+    """What came out."""
+
+    n_seeds: int
+    """Trials of each cell."""
+
+    figure: DrawnFigure
+    """All of its claims side by side."""
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """Says of each claim, and of all together, in how many cells they hold."""
+        together = sum(
+            all(self.found[id, levels].verdict == HOLDS for id in self.mapped.ids)
+            for levels in self.mapped.cells
+        )
+        ids = " and ".join(self.mapped.ids)
+        return (
+            *map(self._sentence, self.mapped.ids),
+            f"{ids} hold together in {together} of {len(self.mapped.cells)} cells.",
+        )
+
+    def _sentence(self, id: str) -> str:
+        found = [one for (claim, _), one in self.found.items() if claim == id]
+        holding = sum(one.verdict == HOLDS for one in found)
+        usual = self.found[id, self.mapped.usual].verdict
+        return (
+            f"{id} ({found[0].claim.text.rstrip('.')}) holds in {holding} of "
+            f"{len(found)} cells; where the experiment itself lies: {usual}."
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class AblationSummary:
+    """Four conditions, and what each of two ideas adds."""
+
+    table: Table
+    """A row for each pair of levels, a column for each outcome."""
+
+    effects: Table
+    """A row for each idea and for both together, a column for each outcome."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Published:
     """Everything that came out, and where it lies."""
@@ -122,6 +179,12 @@ class Published:
 
     sensitivity: SensitivitySummary | None
     """None if nothing of it was run."""
+
+    maps: tuple[DrawnMap, ...]
+    """Where claims hold, of each map that was run."""
+
+    ablations: tuple[AblationSummary, ...]
+    """Each ablation that was run."""
 
     claims_file: Path
     """Every claim and what came of it."""

@@ -1,0 +1,52 @@
+"""Maps and ablations are shown as far as they were run, in the report and on a page."""
+
+import pytest
+
+from experiments import run_study
+from experiments.docs_tools.maps import page
+from experiments.report.maps import ablation_tables, drawn_maps
+from experiments.studies.ablations import ABLATIONS, OUTCOMES
+from experiments.studies.maps import MAPS
+
+
+@pytest.fixture(scope="module")
+def mapped(tmp_path_factory):
+    """A directory with one map and one ablation."""
+    out = tmp_path_factory.mktemp("maps")
+    run_study(MAPS["attention"].study((0, 1)), out)
+    run_study(ABLATIONS["rate_representation"].study((0, 1)), out)
+    return out
+
+
+def test_a_map_is_drawn_with_a_column_for_each_claim(mapped):
+    (drawn,) = drawn_maps(mapped)
+    assert drawn.n_seeds == 2
+    assert len(drawn.figure.svgs) == 2
+    assert all(file.is_file() for file in drawn.figure.files)
+    assert len(drawn.found) == 2 * len(drawn.mapped.cells)
+    assert len(drawn.sentences) == 3
+
+
+def test_an_ablation_has_a_table_of_means_and_one_of_effects(mapped):
+    (summary,) = ablation_tables(mapped)
+    assert summary.table.header[1:] == summary.effects.header[1:]
+    assert [len(cells) for _, cells in summary.table.rows] == [len(OUTCOMES)] * 4
+    assert [heading for heading, _ in summary.effects.rows] == [
+        "rate: social instead of asynchronous",
+        "situation: roles and attention instead of roles",
+        "rate x situation: more together",
+    ]
+
+
+def test_what_was_not_run_is_not_shown(tmp_path):
+    assert drawn_maps(tmp_path) == ()
+    assert ablation_tables(tmp_path) == ()
+
+
+def test_the_page_shows_the_map_and_both_tables(mapped, tmp_path):
+    page(mapped, tmp_path / "maps.md")
+    text = (tmp_path / "maps.md").read_text("utf-8")
+    assert "](pictures/map_attention.svg)" in text
+    assert (tmp_path / "pictures" / "map_attention.svg").is_file()
+    assert "### Experiments 1 and 2: rate x situation" in text
+    assert "| rate: social instead of asynchronous |" in text
