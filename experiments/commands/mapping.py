@@ -13,13 +13,11 @@ from experiments.errors import ExperimentError, unknown
 
 if TYPE_CHECKING:
     from experiments.running.study import Study
-    from experiments.studies.ablations import Ablation
-    from experiments.studies.maps import Map
 
 
 @dataclass(frozen=True, kw_only=True)
 class Maps:
-    """Map where claims hold over two constants; run 2 x 2 ablations.
+    """Map where claims hold: over two constants, with other people, ideas apart.
 
     What is stored already is not run again. `household report DIR` shows them with the
     experiments, if DIR holds both.
@@ -28,8 +26,8 @@ class Maps:
     names: Annotated[
         Positional[tuple[str, ...]], arg(metavar="[NAME]", help_behavior_hint="")
     ] = ()
-    """attention, watching, rate_representation, rate_silence_1 (to 5); all of them if
-    none is named."""
+    """attention, watching, teachers_1 (to 5), rate_representation, rate_silence_1 (to
+    5); all of them if none is named."""
 
     seeds: int = 20
     """Trials of each cell; their seeds are 0, 1, 2, ..."""
@@ -45,7 +43,7 @@ class Maps:
 
     def run(self) -> None:
         """Runs what is missing, draws the maps and says what they show."""
-        from experiments.report.maps import ablation_tables, drawn_maps
+        from experiments.report.maps import ablation_tables, drawn_maps, teacher_table
         from experiments.running.engine import open_engine
         from experiments.running.jobs import prepare, run
         from experiments.running.lock import alone_in
@@ -61,10 +59,15 @@ class Maps:
                 run(jobs, engine, advance)
             with console.status("Drawing"):
                 maps, ablations = drawn_maps(self.out), ablation_tables(self.out)
+                by_teacher = teacher_table(self.out)
         for one in maps:
             console.print(f"{one.mapped.title}: {one.figure.files[0]}", soft_wrap=True)
             for sentence in one.sentences:
                 console.print(f"- {sentence}")
+        if by_teacher is not None:
+            console.print(f"{by_teacher.title}: {', '.join(by_teacher.header[1:])}")
+            for claim, cells in by_teacher.rows:
+                console.print(f"- {claim}: {', '.join(cell.text for cell in cells)}")
         for summary in ablations:
             console.print(f"{summary.table.title}: what each adds to")
             outcomes = summary.effects.header[1:]
@@ -75,14 +78,20 @@ class Maps:
 
     def _studies(self) -> list[Study]:
         """Checks what was asked for before anything is run."""
+        from experiments.paper import EXPERIMENTS
+        from experiments.studies import teachers
         from experiments.studies.ablations import ABLATIONS
         from experiments.studies.maps import MAPS
 
         if self.seeds < 1:
             raise ExperimentError(f"--seeds must be at least 1, got {self.seeds}.")
-        known: dict[str, Map | Ablation] = {**MAPS, **ABLATIONS}
+        seeds = tuple(range(self.seeds))
+        known = {
+            **{name: one.study(seeds) for name, one in MAPS.items()},
+            **{f"teachers_{n}": teachers.study(n, seeds) for n in EXPERIMENTS},
+            **{name: one.study(seeds) for name, one in ABLATIONS.items()},
+        }
         for name in self.names:
             if name not in known:
                 raise unknown("map", name, known)
-        chosen = self.names or tuple(known)
-        return [known[name].study(tuple(range(self.seeds))) for name in chosen]
+        return [known[name] for name in self.names or known]

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 from experiments.docs_tools.pages import render
-from experiments.report.maps import ablation_tables, drawn_maps
+from experiments.report.maps import ablation_tables, drawn_maps, teacher_table
 
 
 def page(runs: Path, out: Path) -> None:
@@ -30,7 +30,12 @@ def page(runs: Path, out: Path) -> None:
     for one in maps:
         svg = next(file for file in one.figure.files if file.suffix == ".svg")
         shutil.copyfile(svg, pictures / svg.name)
-    text = render("maps.md.j2", maps=maps, ablations=ablation_tables(runs))
+    text = render(
+        "maps.md.j2",
+        maps=maps,
+        ablations=ablation_tables(runs),
+        teachers=teacher_table(runs),
+    )
     out.write_text(text, "utf-8")
 
 

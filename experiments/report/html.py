@@ -65,6 +65,7 @@ def _context(published: Published) -> dict[str, Any]:
         "sensitivity": published.sensitivity,
         "maps": published.maps,
         "ablations": published.ablations,
+        "teachers": published.teachers,
         "session": published.reproduced[-1].document["sessions"][-1],
     }
 

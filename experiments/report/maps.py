@@ -11,6 +11,7 @@ from experiments.analysis.deciding import HOLDS
 from experiments.analysis.statistics import Estimate
 from experiments.analysis.tables import Cell, Table
 from experiments.figures.heat_map import HeatMap, Spot
+from experiments.paper import EXPERIMENTS
 from experiments.report.format import (
     VERDICTS,
     finding_threshold,
@@ -27,6 +28,7 @@ from experiments.report.records import (
 from experiments.running.files import make_directory
 from experiments.running.store import Results
 from experiments.running.study import Study
+from experiments.studies import teachers
 from experiments.studies.ablations import ABLATIONS, OUTCOMES, Ablation
 from experiments.studies.maps import MAPS, Map, as_text
 
@@ -93,14 +95,60 @@ def heat_map(mapped: Map, found: FindingsOfMap, id: str) -> HeatMap:
 
 
 def _spot(finding: Finding, *, is_usual: bool) -> Spot:
-    sign = VERDICTS[finding.verdict].partition(" ")[0]
     value = finding.estimate.value
     return Spot(
-        text=f"{finding_value(finding)}\n{sign}",
+        text=f"{finding_value(finding)}\n{_sign(finding)}",
         shade=value if value == value else 0.0,
         framed=finding.verdict == HOLDS,
         dotted=is_usual,
     )
+
+
+def teacher_table(out: Path) -> Table | None:
+    """Returns every claim under every teacher, as far as they were run.
+
+    Args:
+        out: The directory of all results.
+    """
+    rows: list[tuple[str, tuple[Cell, ...]]] = []
+    n_seeds = 0
+    for number in EXPERIMENTS:
+        seeds = _seeds(out, f"maps/teachers_{number}")
+        study = teachers.study(number, seeds) if seeds else None
+        if study is not None and _is_whole(out, study):
+            found = teachers.findings(number, Results(out / study.name).read(study))
+            rows += map(_under_each, zip(*found.values(), strict=True))
+            n_seeds = len(seeds)
+    if not rows:
+        return None
+    return Table(
+        name="teachers",
+        title="Claims by teachers",
+        header=("claim", *teachers.TEACHERS),
+        rows=tuple(rows),
+        note=(
+            f"{n_seeds} seeds. People give feedback like the teacher that is named "
+            "(docs/people.md) and do all else as in the experiment. Framed: another "
+            "verdict than with the experiment's own people."
+        ),
+    )
+
+
+def _under_each(found: tuple[Finding, ...]) -> tuple[str, tuple[Cell, ...]]:
+    """A claim's row: what came of it with each teacher, the own people first."""
+    own, claim = found[0].verdict, found[0].claim
+    return f"{claim.id}, {claim.condition}, {finding_threshold(found[0])}", tuple(
+        Cell(
+            text=f"{finding_value(one)} {_sign(one)}",
+            shade=0.5 if one.verdict != own else None,
+            marked=one.verdict != own,
+        )
+        for one in found
+    )
+
+
+def _sign(finding: Finding) -> str:
+    return VERDICTS[finding.verdict].partition(" ")[0]
 
 
 def ablation_tables(out: Path) -> tuple[AblationSummary, ...]:

@@ -18,7 +18,7 @@ from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS, Experiment
 from experiments.report.figures import FiguresOf, drawing, stored_study
 from experiments.report.html import write_report
-from experiments.report.maps import ablation_tables, drawn_maps
+from experiments.report.maps import ablation_tables, drawn_maps, teacher_table
 from experiments.report.records import Published, Reproduced
 from experiments.report.study_tables import summarize_factorial, summarize_sensitivity
 from experiments.running.files import (
@@ -55,6 +55,7 @@ def publish(out: Path) -> Published:
         ),
         maps=drawn_maps(out),
         ablations=ablation_tables(out),
+        teachers=teacher_table(out),
         claims_file=out / "claims.json",
         report_file=out / "report.html",
     )

@@ -186,6 +186,9 @@ class Published:
     ablations: tuple[AblationSummary, ...]
     """Each ablation that was run."""
 
+    teachers: Table | None
+    """Claims under several kinds of teachers; None if they were not run."""
+
     claims_file: Path
     """Every claim and what came of it."""
 

@@ -4,17 +4,19 @@ import pytest
 
 from experiments import run_study
 from experiments.docs_tools.maps import page
-from experiments.report.maps import ablation_tables, drawn_maps
+from experiments.report.maps import ablation_tables, drawn_maps, teacher_table
+from experiments.studies import teachers
 from experiments.studies.ablations import ABLATIONS, OUTCOMES
 from experiments.studies.maps import MAPS
 
 
 @pytest.fixture(scope="module")
 def mapped(tmp_path_factory):
-    """A directory with one map and one ablation."""
+    """A directory with one map, one ablation, and one experiment's teachers."""
     out = tmp_path_factory.mktemp("maps")
     run_study(MAPS["attention"].study((0, 1)), out)
     run_study(ABLATIONS["rate_representation"].study((0, 1)), out)
+    run_study(teachers.study(1, (0, 1)), out)
     return out
 
 
@@ -38,9 +40,23 @@ def test_an_ablation_has_a_table_of_means_and_one_of_effects(mapped):
     ]
 
 
+def test_claims_have_a_row_each_and_teachers_a_column(mapped):
+    table = teacher_table(mapped)
+    assert table.header == ("claim", *teachers.TEACHERS)
+    assert [heading.partition(",")[0] for heading, _ in table.rows] == [
+        *("1a", "1b", "1c"),
+        *("1a", "1b", "1c"),
+    ]
+    for _, (own, *others) in table.rows:
+        assert not own.marked
+        for cell in others:
+            assert cell.marked == (cell.text[-1] != own.text[-1])
+
+
 def test_what_was_not_run_is_not_shown(tmp_path):
     assert drawn_maps(tmp_path) == ()
     assert ablation_tables(tmp_path) == ()
+    assert teacher_table(tmp_path) is None
 
 
 def test_the_page_shows_the_map_and_both_tables(mapped, tmp_path):
@@ -48,5 +64,6 @@ def test_the_page_shows_the_map_and_both_tables(mapped, tmp_path):
     text = (tmp_path / "maps.md").read_text("utf-8")
     assert "](pictures/map_attention.svg)" in text
     assert (tmp_path / "pictures" / "map_attention.svg").is_file()
+    assert "## Other teachers" in text
     assert "### Experiments 1 and 2: rate x situation" in text
     assert "| rate: social instead of asynchronous |" in text
