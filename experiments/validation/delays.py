@@ -47,7 +47,8 @@ STRENGTH = Published(
     said=".63 (.75 s by 1.2 s)",
     **around(0.63),
     source=CHARM,
-    reading="Medians; strong is a strength of at least .75.",
+    reading="Means, which keep the ratio where both are log-normal with one spread: "
+    "people decide once a second, so medians are coarse. Strong: at least .75.",
 )
 DECLINE = Published(
     name="delay at the end by that at the beginning",
@@ -101,7 +102,7 @@ def lesson_delays(diary: Diary) -> Measured:
         MEDIAN.name: _median(delays),
         SPREAD.name: float(np.log(positive).std()) if len(positive) else np.nan,
         WINDOW.name: _within(delays),
-        STRENGTH.name: _ratio(_median(delays[strong]), _median(delays[~strong])),
+        STRENGTH.name: _ratio(_mean(delays[strong]), _mean(delays[~strong])),
         DECLINE.name: _ratio(_mean(delays[third >= 2]), _mean(delays[third == 0])),
     }
 

@@ -14,10 +14,8 @@ import numpy as np
 from experiments.analysis.statistics import FloatArray
 from household.environment import Household
 from household.feedback import Kind
-from household.people.traits import Traits, traits_of
 from household.scenario.scenario import Scenario
 from policies.people import make_minds
-from policies.people.feedback_giving import calls_for_feedback
 
 MOVED = 0.01
 """Who came farther than this in a period was seen to walk [m]."""
@@ -116,7 +114,6 @@ def live(scenario: Scenario, chances: Sequence[float], seed: int) -> Diary:
     env = Household(scenario, make_minds)
     env.reset(seed=seed)
     rng = np.random.default_rng(seed)
-    traits = traits_of(env.scenario.personas)
     record = env.simulation.record
     moments, judgements, touches = [record.copy()], list[Judgement](), list[Given]()
     while env.agents:
@@ -128,7 +125,7 @@ def live(scenario: Scenario, chances: Sequence[float], seed: int) -> Diary:
         agents = env.agents
         env.step(actions)
         moments.append(record.copy())
-        judgements += _judged(env, traits)
+        judgements += _judged(env)
         touches += (one for agent in agents for one in _given(env, agent))
     told, n = np.array(moments), len(scenario.people)
     return Diary(
@@ -143,9 +140,10 @@ def live(scenario: Scenario, chances: Sequence[float], seed: int) -> Diary:
     )
 
 
-def _judged(env: Household, traits: Traits) -> list[Judgement]:
+def _judged(env: Household) -> list[Judgement]:
     """What people have just thought of bouts that call for feedback."""
     found, robots = env.simulation.people.appraisals, env.simulation.robots
+    personas = env.scenario.personas
     return [
         Judgement(
             person=int(i),
@@ -155,7 +153,8 @@ def _judged(env: Household, traits: Traits) -> list[Judgement]:
             value=float(found.value[i, r]),
         )
         for i, r in np.argwhere(found.new)
-        if calls_for_feedback(found.value[i, r], found.attending[i, r], traits[i])
+        if abs(found.value[i, r]) >= personas[i].tolerance
+        if found.attending[i, r] or not personas[i].only_when_attending
     ]
 
 

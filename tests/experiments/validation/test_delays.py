@@ -62,7 +62,7 @@ def test_a_lesson_is_summed_up_in_five_figures(diary):
             delays.MEDIAN.name: 1.0,
             delays.SPREAD.name: np.log(times).std(),
             delays.WINDOW.name: 5 / 6,
-            delays.STRENGTH.name: 0.75 / 3.5,
+            delays.STRENGTH.name: 0.75 / 3.5,  # (1 + 1 + .5 + .5) / 4, (2 + 5) / 2
             delays.DECLINE.name: 2.0 / (4.0 / 3.0),
         }
     )
