@@ -45,7 +45,7 @@ def test_the_page_shows_every_figure_with_its_verdict(scene, tmp_path):
         "Others": [not_modeled(NOT_MODELED["Teachers"][0])],
     }
     text = page(json.loads(store(found, tmp_path).read_text("utf-8")))
-    assert "| a figure (s) | 2 | a scene | 9.00 |  | **off** |" in text
+    assert "| a figure (s) | 2 | a scene | 9.00 | **off** |" in text
     assert "Of 2 figures 0 are as" in text
     assert f"{NOT_MODELED['Teachers'][0].reading}" in text
 
