@@ -125,9 +125,10 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self._begun = False
         self._shape, self._most = (self.num_envs,), len(self.behaviors) - 1
         length = features.space.shape[0]
-        size = Size(n_homes, self.num_envs, length, len(self.behaviors))
         mine, *others = _shares(n_homes, workers)
-        self._workers = Workers(len(others), size)
+        n_actions = len(self.behaviors)
+        size = Size(n_homes, self.num_envs, length, n_actions, len(others))
+        self._workers = Workers(size)
         self._buffers = buffers_in(self._workers.record)
         try:
             # First here: what is compiled for that, the others find on disk.
@@ -218,7 +219,7 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         try:
             self._workers.set_to(word)
             (self._mine.step if word == STEP else self._mine.begin)()
-            self._workers.wait()
+            self._workers.wait(self._mine.chores())
         except BaseException:  # Ctrl-C, too: homes are no longer at the same moment.
             self.close()
             raise

@@ -1,6 +1,6 @@
 """The homes of a vector environment, and the share of them that one process steps."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from household.observation.encodings import Features
@@ -141,6 +141,12 @@ class Share:
                 let_pass()
         for home in self._homes:
             home.tell()
+
+    def chores(self) -> Iterator[None]:
+        """Does what later steps will need, a few microseconds' worth at a time."""
+        for home in self._homes:
+            while home.simulation.prepare():
+                yield
 
     def _clear(self) -> None:
         self._rewards[:], self._truncations[:] = 0.0, False
