@@ -48,8 +48,11 @@ class Home:
         self._last = scenario.max_cycles
         self._features = Features(scenario, plan.frame)
         self._notifier = Notifier(scenario, plan.frame)
-        own = {name: behavior for behavior, name in enumerate(scenario.behaviors)}
-        self._own = [own.get(name) for name in plan.frame.behaviors]
+        # Behaviors by action; None where both are numbered alike.
+        self._own: list[int | None] | None = None
+        if scenario.behaviors != plan.frame.behaviors:
+            own = {name: behavior for behavior, name in enumerate(scenario.behaviors)}
+            self._own = [own.get(name) for name in plan.frame.behaviors]
         self.slots = slots
         self._now, self._final = buffers.now.of(slots), buffers.final.of(slots)
         self._rewards = buffers.rewards[slots]
@@ -71,6 +74,9 @@ class Home:
             actions: Of all slots.
         """
         own = self._own
+        if own is None:
+            self.simulation.choose(enumerate(actions[self.slots]))
+            return
         self.simulation.choose(
             [
                 (robot, behavior)
@@ -149,4 +155,5 @@ class Share:
                 yield
 
     def _clear(self) -> None:
-        self._rewards[:], self._truncations[:] = 0.0, False
+        self._rewards.fill(0.0)
+        self._truncations.fill(False)

@@ -78,12 +78,14 @@ class Line:
         """
         theirs, heard, pieces = self._theirs, self._heard, iter(meanwhile)
         until = time.perf_counter() + (SPIN if ORDERED else 0.0)
+        looks = 1  # One after each piece of work, and many when all is done.
         while True:
-            for _ in range(LOOKS if ORDERED else 0):
+            for _ in range(looks if ORDERED else 0):
                 if theirs[LAST_WORD] != heard:
                     return self._word()
             if next(pieces, GONE) is None:
                 continue
+            looks = LOOKS
             if time.perf_counter() < until:
                 os.sched_yield()
                 continue
