@@ -116,19 +116,14 @@ def score(task: Task) -> Scored:
 
     scenario, asked = draw(task.family, task.seed), specification(task.policy)
     env = household_v0.parallel_env(scenario, observation=asked.encoding)
-    # Streams of their own, so that one more draw in one shifts nothing in another.
-    streams = np.random.SeedSequence(task.seed, spawn_key=(1,)).spawn(6)
-    training, choosing, drawing, probing, living, playing = streams
+    training, choosing, drawing, probing, living, playing = _streams(task.seed)
     policy = _policy(
         asked, env, task.training, training, np.random.default_rng(choosing)
     )
     probes = probe_set(env, _seeds(probing, PROBE_WALKS), PROBE_STEPS)
     (life,) = _seeds(living, 1)
-    beside = references(env, np.random.default_rng(drawing))
-    scores = {POLICY: _of_policy(policy, probes, env, life, task.steps)} | {
-        name: _of_reference(each, probes, env, life, task.steps)
-        for name, each in beside.items()
-    }
+    scores = {POLICY: _of_policy(policy, probes, env, life, task.steps)}
+    scores |= _of_references(env, probes, drawing, life, task.steps)
     return Scored(
         family=task.family,
         seed=task.seed,
@@ -139,6 +134,30 @@ def score(task: Task) -> Scored:
         deviation=deviation(env, life, PLAYED_OUT, np.random.default_rng(playing)),
         scores=scores,
     )
+
+
+def score_references(
+    env: Household, seed: int, steps: int | None = None
+) -> Mapping[str, Scores]:
+    """Scores the reference policies alone, in any household.
+
+    Args:
+        env: The household.
+        seed: Of the probe set, the episodes and what is drawn in them.
+        steps: Of the lived episodes at most; None: as many as the household's have.
+
+    Returns:
+        Scores by the name of the reference.
+    """
+    _, _, drawing, probing, living, _ = _streams(seed)
+    probes = probe_set(env, _seeds(probing, PROBE_WALKS), PROBE_STEPS)
+    (life,) = _seeds(living, 1)
+    return _of_references(env, probes, drawing, life, steps)
+
+
+def _streams(seed: int) -> list[np.random.SeedSequence]:
+    """Streams of their own, so that one more draw in one shifts nothing in another."""
+    return np.random.SeedSequence(seed, spawn_key=(1,)).spawn(6)
 
 
 def _seeds(sequence: np.random.SeedSequence, n: int) -> tuple[int, ...]:
@@ -193,6 +212,20 @@ def _of_policy(
         probe_deployed=probe_score(draws, probes.moments * DRAWS),
         lived=live(env, lambda now: policy.deployed(now.sight()), life, steps),
     )
+
+
+def _of_references(
+    env: Household,
+    probes: ProbeSet,
+    drawing: np.random.SeedSequence,
+    life: int,
+    steps: int | None,
+) -> dict[str, Scores]:
+    """The scores of all references."""
+    return {
+        name: _of_reference(each, probes, env, life, steps)
+        for name, each in references(env, np.random.default_rng(drawing)).items()
+    }
 
 
 def _of_reference(

@@ -1,8 +1,8 @@
 """Places: the spots in activity regions where people stand, each for one person."""
 
 import math
-from collections.abc import Sequence
-from functools import lru_cache
+from collections.abc import Callable, Sequence
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from household.compiled.arrays import Floats
 from household.compiled.jit import compiled
 from household.config.toml import Point
 from household.home.floorplan import FloorPlan, Region
-from household.home.navigation.routes import routes_of
+from household.home.navigation.routes import Routes, routes_of
 from household.state import Stateful
 
 EDGE = 0.1
@@ -52,8 +52,7 @@ class Places(Stateful):
         self.roles = np.array([*(r.role for r in plan.regions), Activity.UNKNOWN])
         nothing = (math.nan, math.nan)
         self.facing = np.array([*(r.facing for r in plan.regions), nothing])
-        self._routes = routes_of(plan)
-        self._beside = lru_cache(maxsize=KEPT)(self._find_beside)
+        self._ring = _rings_in(plan)
         self._spots = _spots_in(plan)
         self._claims: dict[int, tuple[int, Point]] = {}
 
@@ -108,21 +107,10 @@ class Places(Stateful):
             taken: Where others are [m].
         """
         for ring in range(len(taken) + 1):
-            for point in self._beside(spot, ring):
+            for point in self._ring(spot, ring):
                 if all(math.dist(point, other) >= APART - 1e-9 for other in taken):
                     return point
         return spot
-
-    def _find_beside(self, spot: Point, ring: int) -> list[Point]:
-        """The points on one of the rings round a spot where a body fits."""
-        around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
-        here = np.array(spot)
-        return [
-            point
-            for point in around
-            if self._routes.connects(np.array(point), here)
-            and self._routes.has_room(point)
-        ]
 
 
 @compiled
@@ -138,6 +126,23 @@ def place_of(point: Floats, circles: Floats) -> int:
         if dx * dx + dy * dy <= circles[k, 2] * circles[k, 2]:
             return k
     return NOWHERE
+
+
+@lru_cache(maxsize=64)
+def _rings_in(plan: FloorPlan) -> Callable[[Point, int], list[Point]]:
+    """Finds rings round spots, and remembers them for all who live in such a home."""
+    return lru_cache(maxsize=KEPT)(partial(_places_on_ring, routes_of(plan)))
+
+
+def _places_on_ring(routes: Routes, spot: Point, ring: int) -> list[Point]:
+    """The points on one of the rings round a spot where a body fits."""
+    around = _ring(spot, ring * APART, max(1, SPOTS_ON_RING * ring))
+    here = np.array(spot)
+    return [
+        point
+        for point in around
+        if routes.connects(np.array(point), here) and routes.has_room(point)
+    ]
 
 
 @lru_cache(maxsize=64)

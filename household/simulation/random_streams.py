@@ -13,6 +13,9 @@ PEOPLE, ROBOTS, FACES, NOTICED = 0, 1, 2, 3
 AHEAD = 64
 """Moments for which numbers are drawn at once: one by one, each takes a microsecond."""
 
+AT_LEISURE = 4
+"""Moments for which they are drawn where there is a little time to spare."""
+
 Distribution = Literal["uniform", "normal"]
 
 
@@ -70,7 +73,7 @@ class Draws(Stateful):
         distribution: "uniform" in [0, 1) or standard "normal".
     """
 
-    STATE = ("_rngs", "_numbers", "_used")
+    STATE = ("_rngs", "_numbers", "_next", "_ready")
 
     def __init__(
         self,
@@ -79,26 +82,41 @@ class Draws(Stateful):
         distribution: Distribution = "uniform",
     ) -> None:
         self._rngs, self._distribution = list(rngs), distribution
+        # A ring of moments: the numbers of the latest are followed by those to come.
         self._numbers = np.zeros((len(rngs), AHEAD, size))
         # Views, made once: they stay right as the numbers are always in one array.
         self._moments = [self._numbers[:, moment] for moment in range(AHEAD)]
-        self._used = AHEAD
+        self._next = self._ready = 0
 
     def next(self) -> Floats:
         """The numbers of the next moment, shape (n_streams, size); for reading.
 
         They hold only until the next are asked for.
         """
-        if self._used == AHEAD:
-            self._draw_ahead()
-        moment = self._moments[self._used]
-        self._used += 1
+        if not self._ready:
+            self._draw(AHEAD)
+        moment = self._moments[self._next]
+        self._next = (self._next + 1) % AHEAD
+        self._ready -= 1
         return moment
 
-    def _draw_ahead(self) -> None:
-        """Draws for many moments at once."""
+    def draw_ahead(self) -> bool:
+        """Draws for a few more moments than needed by now; the numbers stay the same.
+
+        Returns:
+            Whether there was room for any.
+        """
+        if self._ready >= AHEAD - AT_LEISURE:  # The latest are still being read.
+            return False
+        self._draw(AT_LEISURE)
+        return True
+
+    def _draw(self, most: int) -> None:
+        """Draws for so many moments, or until the end of the ring."""
+        first = (self._next + self._ready) % AHEAD
+        last = min(first + most, AHEAD)
         for rng, ahead in zip(self._rngs, self._numbers, strict=True):
             uniform = self._distribution == "uniform"
             draw = rng.random if uniform else rng.standard_normal
-            draw(out=ahead)
-        self._used = 0
+            draw(out=ahead[first:last])
+        self._ready += last - first

@@ -225,6 +225,14 @@ class Simulation(Stateful):
         for robot, behavior in choices:
             self.robots.choose(robot, behavior, self.decision, self.time)
 
+    def prepare(self) -> bool:
+        """Does a little of the work of later moments, which is the same whenever done.
+
+        Returns:
+            Whether there was any.
+        """
+        return self.begun and self._noise.draw_ahead()
+
     def _set_clock(self, decision: int) -> None:
         self.decision = decision
         self.time = decision * self.scenario.decision_period

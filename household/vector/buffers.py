@@ -61,16 +61,18 @@ class Size(NamedTuple):
         slots: How many robots in all of them.
         length: Numbers in an observation.
         actions: How many actions there are.
+        lines: How many workers there are.
     """
 
     homes: int
     slots: int
     length: int
     actions: int
+    lines: int
 
 
 def record_type(size: Size) -> np.dtype[np.void]:
-    """The type of the record that holds all buffers."""
+    """The type of the record of all buffers, and of lines between processes."""
     n = (size.slots,)
     told = np.dtype(
         [
@@ -91,6 +93,7 @@ def record_type(size: Size) -> np.dtype[np.void]:
             ("truncations", np.bool_, n),
             ("now", told),
             ("final", told),
+            ("lines", np.int64, (size.lines, 2, 2)),
         ],
         align=True,
     )

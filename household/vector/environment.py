@@ -1,6 +1,7 @@
 """The vector environment: every robot of every home is a slot."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -27,10 +28,13 @@ from household.vector.worker import BEGIN, STEP
 from household.vector.workers import Workers
 
 AnyScenario = str | Path | Scenario
-Keep = Callable[[NDArray[Any]], NDArray[Any]]
+Keep = Callable[[], NDArray[Any]]
+"""Hands out one of the buffers."""
 
 MASKS = tuple(f"_{name}" for name in Notices._fields)
 """Keys of infos that say whose the others are."""
+
+KEYS = Notices._fields + MASKS
 
 Results = tuple[Singles, Floats, Mask, Mask, dict[str, Any]]
 """Observations, rewards, terminations, truncations and infos, by slot."""
@@ -109,7 +113,6 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self, plan: Plan, *, workers: int, seed: int | None, copy: bool
     ) -> None:
         n_homes = len(plan.scenarios)
-        self._kept: Keep = np.ndarray.copy if copy else _as_it_is
         self.seeds = home_seeds(seed, n_homes)
         self.scenarios, self.behaviors = plan.scenarios, plan.frame.behaviors
         of_homes = [scenario.robot_names for scenario in plan.scenarios]
@@ -125,10 +128,16 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self._begun = False
         self._shape, self._most = (self.num_envs,), len(self.behaviors) - 1
         length = features.space.shape[0]
-        size = Size(n_homes, self.num_envs, length, len(self.behaviors))
         mine, *others = _shares(n_homes, workers)
-        self._workers = Workers(len(others), size)
-        self._buffers = buffers_in(self._workers.record)
+        n_actions = len(self.behaviors)
+        self._alone = not others
+        size = Size(n_homes, self.num_envs, length, n_actions, len(others))
+        self._workers = Workers(size)
+        self._buffers = buffers = buffers_in(self._workers.record)
+        now = buffers.now
+        # Found once: at a single home, looking them up takes as long as copying them.
+        self._told = _hand_out((now.observations, *now.notices), copy=copy)
+        self._results = _hand_out((buffers.rewards, buffers.truncations), copy=copy)
         try:
             # First here: what is compiled for that, the others find on disk.
             self._mine = Share(plan, mine, self._buffers)
@@ -168,8 +177,8 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self._buffers.seeds[:] = GO_ON if seeds is None else seeds
         self._together(BEGIN)
         self._begun = True
-        now, kept = self._buffers.now, self._kept
-        return kept(now.observations), _infos(now.notices, self._everybody, kept)
+        observations, *notices = [kept() for kept in self._told]
+        return observations, _infos(notices, self._everybody.copy())
 
     def step(self, actions: NDArray[Any]) -> Results:
         """Lets one decision period pass in all homes.
@@ -195,17 +204,12 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
             raise HouseholdError("nobody is at home yet: call reset() first")
         self._buffers.actions[:] = self._checked(actions)
         self._together(STEP)
-        buffers, kept = self._buffers, self._kept
-        infos = _infos(buffers.now.notices, self._everybody, kept)
-        if True in buffers.truncations.tolist():
-            infos |= _final(buffers.final, buffers.truncations.copy())
-        return (
-            kept(buffers.now.observations),
-            kept(buffers.rewards),
-            self._nobody.copy(),
-            kept(buffers.truncations),
-            infos,
-        )
+        observations, *notices = [kept() for kept in self._told]
+        rewards, truncations = [kept() for kept in self._results]
+        infos = _infos(notices, self._everybody.copy())
+        if True in truncations.tolist():
+            infos |= _final(self._buffers.final, truncations.copy())
+        return observations, rewards, self._nobody.copy(), truncations, infos
 
     def close_extras(self, **_kwargs: object) -> None:
         """Ends the workers."""
@@ -215,10 +219,14 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         """All processes do something at the same time."""
         if self.closed:
             raise HouseholdError("these homes are closed")
+        mine = self._mine.step if word == STEP else self._mine.begin
         try:
+            if self._alone:
+                mine()
+                return
             self._workers.set_to(word)
-            (self._mine.step if word == STEP else self._mine.begin)()
-            self._workers.wait()
+            mine()
+            self._workers.wait(self._mine.chores())
         except BaseException:  # Ctrl-C, too: homes are no longer at the same moment.
             self.close()
             raise
@@ -264,17 +272,14 @@ def _shares(homes: int, workers: int) -> list[list[int]]:
     return [part.tolist() for part in parts]
 
 
-def _as_it_is(array: NDArray[Any]) -> NDArray[Any]:
-    return array
+def _hand_out(buffers: Iterable[NDArray[Any]], *, copy: bool) -> list[Keep]:
+    """What hands out each of some buffers, as a copy or as it is."""
+    return [each.copy if copy else partial(np.asarray, each) for each in buffers]
 
 
-def _infos(notices: Notices, whose: Mask, kept: Keep) -> dict[str, Any]:
+def _infos(notices: Iterable[NDArray[Any]], whose: Mask) -> dict[str, Any]:
     """Infos as Gymnasium has them: an array for each key, and whose it is."""
-    mask, infos = whose.copy(), {}
-    arrays: tuple[NDArray[Any], ...] = notices
-    for name, its_mask, array in zip(Notices._fields, MASKS, arrays, strict=True):
-        infos[name], infos[its_mask] = kept(array), mask
-    return infos
+    return dict(zip(KEYS, [*notices, *[whose] * len(MASKS)], strict=True))
 
 
 def _final(told: Told, over: Mask) -> dict[str, Any]:
@@ -291,6 +296,6 @@ def _final(told: Told, over: Mask) -> dict[str, Any]:
     return {
         "final_obs": observations,
         "_final_obs": over,
-        "final_info": _infos(told.notices, over, of_those),
+        "final_info": _infos(map(of_those, told.notices), over.copy()),
         "_final_info": over,
     }

@@ -1,6 +1,6 @@
 """The homes of a vector environment, and the share of them that one process steps."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from household.observation.encodings import Features
@@ -48,8 +48,11 @@ class Home:
         self._last = scenario.max_cycles
         self._features = Features(scenario, plan.frame)
         self._notifier = Notifier(scenario, plan.frame)
-        own = {name: behavior for behavior, name in enumerate(scenario.behaviors)}
-        self._own = [own.get(name) for name in plan.frame.behaviors]
+        # Behaviors by action; None where both are numbered alike.
+        self._own: list[int | None] | None = None
+        if scenario.behaviors != plan.frame.behaviors:
+            own = {name: behavior for behavior, name in enumerate(scenario.behaviors)}
+            self._own = [own.get(name) for name in plan.frame.behaviors]
         self.slots = slots
         self._now, self._final = buffers.now.of(slots), buffers.final.of(slots)
         self._rewards = buffers.rewards[slots]
@@ -71,6 +74,9 @@ class Home:
             actions: Of all slots.
         """
         own = self._own
+        if own is None:
+            self.simulation.choose(enumerate(actions[self.slots]))
+            return
         self.simulation.choose(
             [
                 (robot, behavior)
@@ -142,5 +148,12 @@ class Share:
         for home in self._homes:
             home.tell()
 
+    def chores(self) -> Iterator[None]:
+        """Does what later steps will need, a few microseconds' worth at a time."""
+        for home in self._homes:
+            while home.simulation.prepare():
+                yield
+
     def _clear(self) -> None:
-        self._rewards[:], self._truncations[:] = 0.0, False
+        self._rewards.fill(0.0)
+        self._truncations.fill(False)

@@ -8,15 +8,16 @@ import subprocess
 import sys
 import tempfile
 import weakref
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import cloudpickle
 from numpy.typing import NDArray
 
+from household.compiled.arrays import Integers
 from household.vector.buffers import Size, record_type
 from household.vector.homes import Plan
-from household.vector.line import Line
+from household.vector.line import PARENT, Line
 from household.vector.worker import DONE, FAILED, Job, mapped
 
 START = """
@@ -42,14 +43,14 @@ class Workers:
     """Processes that step their shares of the homes.
 
     Args:
-        number: Of processes; they get ready while this one does something else.
-        size: Of the buffers.
+        size: Of the buffers; for as many processes as it has lines. They get ready
+            while this one does something else.
 
     Attributes:
         record: The record of all buffers, in memory shared with the workers.
     """
 
-    def __init__(self, number: int, size: Size) -> None:
+    def __init__(self, size: Size) -> None:
         self._size = size
         self._lines: list[Line] = []
         self._processes: list[subprocess.Popen[bytes]] = []
@@ -61,27 +62,27 @@ class Workers:
             with tempfile.TemporaryFile() as file:  # It has no name to be left behind.
                 file.truncate(record_type(size).itemsize)
                 self.record: NDArray[Any] = mapped(file.fileno(), size)
-                for _ in range(number):
-                    self._start(file.fileno())
+                for memory in self.record["lines"]:
+                    self._start(file.fileno(), memory)
         except BaseException:
             self.end()
             raise
 
-    def _start(self, memory: int) -> None:
+    def _start(self, file: int, memory: Integers) -> None:
         here, there = socket.socketpair()
         line = there.fileno()
-        command = (sys.executable, "-c", START, str(line), str(memory))
+        command = (sys.executable, "-c", START, str(line), str(file))
         try:
             process = subprocess.Popen(
                 (*command, json.dumps(sys.path)),
                 stdin=subprocess.PIPE,
-                pass_fds=(line, memory),
+                pass_fds=(line, file),
                 process_group=0,  # Ctrl-C does not reach it, from the first moment on.
                 env=dict.fromkeys(ONE_THREAD, "1") | os.environ,
             )
         finally:
             there.close()
-        self._lines.append(Line(here))
+        self._lines.append(Line(here, memory, PARENT))
         self._processes.append(process)
 
     def hand_out(self, plan: Plan, shares: Sequence[Sequence[int]]) -> None:
@@ -94,8 +95,9 @@ class Workers:
         Raises:
             WorkerError: If one failed.
         """
-        for process, which in zip(self._processes, shares, strict=True):
-            _hand(process, Job(plan, tuple(which), self._size))
+        for number, which in enumerate(shares):
+            job = Job(plan, tuple(which), self._size, number)
+            _hand(self._processes[number], job)
         self.wait()
 
     def set_to(self, word: bytes) -> None:
@@ -106,14 +108,17 @@ class Workers:
             except OSError:
                 raise self._failure(number) from None
 
-    def wait(self) -> None:
+    def wait(self, meanwhile: Iterable[None] = ()) -> None:
         """Waits until all workers are done.
+
+        Args:
+            meanwhile: Small pieces of work to do until then.
 
         Raises:
             WorkerError: If one failed.
         """
         for number, line in enumerate(self._lines):
-            word = line.hear()
+            word = line.hear(meanwhile)
             if word == FAILED:
                 text = line.rest().decode(errors="replace").rstrip()
                 raise WorkerError(f"worker {number} failed:\n{text}")

@@ -1,18 +1,24 @@
 """What the pages show is run: Python, commands, and scenarios in TOML.
 
 The blocks of a page are run from top to bottom in a folder of their own, where a page
-finds the files that its earlier blocks wrote.
+finds the files that its earlier blocks wrote. A block of output shows exactly what the
+Python before it prints.
 """
 
+import contextlib
+import io
+import re
 import shlex
 import subprocess
+import textwrap
 import tomllib
 from pathlib import Path
 
 import pytest
 from sybil import Sybil
 from sybil.evaluators.python import PythonEvaluator
-from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
+from sybil.example import SybilFailure
+from sybil.parsers.markdown import CodeBlockParser
 
 from experiments.cli import _parse, main
 
@@ -73,9 +79,27 @@ def check_scenario(example):
 
 ROOT = Path(__file__).parents[2]
 
+
+class Printing(PythonEvaluator):
+    """Runs Python and keeps what it prints, for a block of output after it."""
+
+    def __call__(self, example):
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            super().__call__(example)
+        example.namespace["printed"] = printed.getvalue()
+
+
+def compare(example):
+    """Says what was printed, if it is not what the page shows."""
+    printed = example.namespace["printed"]  # Sybil takes common indents away.
+    same = example.parsed == textwrap.dedent(printed)
+    return None if same else f"printed was:\n{printed}"
+
+
 RUN = Sybil(
     parsers=[
-        PythonCodeBlockParser(),
+        CodeBlockParser("python", Printing()),
+        CodeBlockParser("output", compare),
         CodeBlockParser("sh", run_commands),
         CodeBlockParser("toml", check_scenario),
     ]
@@ -95,7 +119,7 @@ def folder(tmp_path, monkeypatch, root):
 def test_every_block_says_its_language(page, tokens):
     """Else it would not be run; as text are commands of other programs alone."""
     languages = {token.info for token in tokens(page) if token.type == "fence"}
-    assert languages <= {"python", "sh", "text", "toml"}
+    assert languages <= {"python", "output", "sh", "text", "toml"}
 
 
 def test_the_blocks_of_a_page_run_from_top_to_bottom(page, folder):
@@ -104,3 +128,32 @@ def test_the_blocks_of_a_page_run_from_top_to_bottom(page, folder):
     for example in RUN.parse(page):
         if not isinstance(example.region.evaluator, run_elsewhere):
             example.evaluate()
+
+
+def test_output_that_is_not_what_was_printed_is_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("```python\nprint(1 + 1)\n```\n\n```output\n3\n```\n", "utf-8")
+    shown, output = RUN.parse(page)
+    shown.evaluate()
+    with pytest.raises(SybilFailure, match="printed was:\n2"):
+        output.evaluate()
+
+
+def test_the_fifteen_lines_of_the_readme_are_fifteen(root):
+    text = (root / "README.md").read_text("utf-8")
+    (code,) = re.findall(r"## Fifteen lines.*?```python\n(.*?)```", text, re.DOTALL)
+    assert len(code.splitlines()) == 15
+
+
+def test_in_the_tutorial_on_training_taps_become_fewer(root, folder):
+    found = {}
+    for example in RUN.parse(root / "docs" / "tutorials" / "5_training.md"):
+        if isinstance(example.region.evaluator, Printing):
+            example.evaluate()
+            found |= dict(re.findall(PART, example.namespace["printed"]))
+    taps = [float(found[part]) for part in "1234"]
+    assert len(taps) == 4
+    assert taps[-1] < 0.8 * taps[0]
+
+
+PART = r"part (\d): .* caresses, ([\d.]+) taps a minute"

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from household.config.toml import shipped
+from learners.catalog import CATALOG
 
 
 @pytest.fixture
@@ -43,3 +44,17 @@ def test_the_readme_shows_results_as_they_are_stored(root, read):
         0
     ]
     assert f"{held} of {claims} claims hold" in read("results.md")
+
+
+def test_tutorials_count_personas_and_learners_as_they_are(read):
+    assert "lists seventeen" in read("tutorials/3_your_own_home.md")
+    assert len(shipped("persona")) == 17
+    assert "some forty more" in read("tutorials/2_learning.md")
+    assert 35 < len(CATALOG) - 2 < 45
+
+
+def test_the_readme_and_the_first_page_count_the_tutorials_as_they_are(root, read):
+    tutorials = list(root.glob("docs/tutorials/*.md"))
+    assert len(tutorials) == 6
+    assert "six, of ten minutes each" in (root / "README.md").read_text("utf-8")
+    assert "There are\nsix, of ten minutes each:" in read("index.md")
