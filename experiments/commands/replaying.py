@@ -37,6 +37,10 @@ class Replay:
     video: Annotated[Path | None, arg(metavar="FILE.mp4|.gif")] = None
     """Make a film instead of opening the viewer."""
 
+    page: Annotated[Path | None, arg(metavar="FILE.html")] = None
+    """Make a page that shows it in any browser, without installation; with --video it
+    has the film for browsers that cannot."""
+
     speed: Annotated[float | None, arg(metavar="TIMES")] = None
     """How many times as fast as it was a film goes; else it lasts 20 s to 60 s."""
 
@@ -45,12 +49,14 @@ class Replay:
 
     def run(self) -> None:
         """Makes what was asked for, or shows the replay until the viewer is closed."""
+        from household.replay.page import write_page
         from household.replay.rendering import FILMS, PICTURES, write_picture
         from household.replay.viewer import choose, view, view_two
         from household.view.figure import SIZE
 
         _check_file("--video", self.video, FILMS)
         _check_file("--picture", self.picture, PICTURES)
+        _check_file("--page", self.page, (".html",))
         _check_speed(self.speed)
         size = None if self.size is None else _size(self.size)
         path = choose(self.path)
@@ -62,7 +68,9 @@ class Replay:
             _film(path, self.video, size, self.speed)
         if self.picture:
             write_picture(path, self.picture, at, size or SIZE)
-        if not (self.video or self.picture):
+        if self.page:
+            write_page(path, self.page, film=self.video)
+        if not (self.video or self.picture or self.page):
             view(path, web=self.web, at=at)
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from experiments.figures.colors import THEMED
 from experiments.running.files import write_whole
 
 if TYPE_CHECKING:
@@ -26,14 +27,12 @@ COLUMN_WIDTH = 5.6
 INK, LINE, PAPER = "#1b1f24", "#d3d8de", "#ffffff"
 
 PALETTE = ("#d55e00", "#0072b2", "#00795a", "#9a4d80")
-"""Okabe and Ito's colors, told apart by color-blind readers too; darkened for print."""
+"""Of what has no color of its own: Okabe and Ito's, darkened for print."""
 
 DASHES = ((0, (4, 1.5)), "solid", (0, (1, 1)), (0, (5, 1, 1, 1)))
 """Line styles that go with the palette, for readers without any color."""
 
-_THEMED = {INK: "--ink", LINE: "--line", PAPER: "--paper"} | {
-    color: f"--series-{index}" for index, color in enumerate(PALETTE)
-}
+_THEMED = {INK: "--ink", LINE: "--line", PAPER: "--paper"} | THEMED
 
 _STYLE: dict[Any, object] = {
     "axes.axisbelow": True,
@@ -118,8 +117,8 @@ def save(
 def inline(columns: Sequence[Column], name: str) -> tuple[str, ...]:
     """Returns one SVG element per column, to be set in a page.
 
-    Colors are the page's (`--ink`, `--line`, `--paper`, `--series-0`, ...), so they
-    follow its light or dark theme; the size is that of the surrounding box.
+    Colors are the page's (`--ink`, `--line`, `--behavior-bark`, ...), so they follow
+    its light or dark theme; the size is that of the surrounding box.
 
     Args:
         columns: Drawn one by one, so that they can stand below each other on a phone.

@@ -6,10 +6,11 @@ pointwise 95 % bootstrap band. Times are drawn in minutes.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Protocol
+from itertools import cycle
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import numpy as np
 import polars as pl
@@ -17,7 +18,8 @@ import polars as pl
 from experiments.analysis import measures
 from experiments.analysis.statistics import FloatArray, mean_band
 from experiments.analysis.target_situations import TargetSituation
-from experiments.figures.canvas import DASHES, INK, PALETTE
+from experiments.figures.canvas import DASHES, INK
+from experiments.figures.colors import CONDITIONS, behavior_colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,12 +57,13 @@ class BehaviorSequence:
     def draw_trial(self, axes: Axes, trial: pl.DataFrame) -> None:
         """Draws a lane for each behavior."""
         names = measures.behaviors(trial)
+        colors = behavior_colors(names)
         for lane, name in enumerate(names):
             done = trial.filter(pl.col("behavior") == name)
             begun = done["time"].to_numpy() / MINUTE
             ended = done["next_time"].to_numpy() / MINUTE
             spans = list(zip(begun, ended - begun, strict=True))
-            axes.broken_barh(spans, (lane - 0.4, 0.8), color=PALETTE[lane])
+            axes.broken_barh(spans, (lane - 0.4, 0.8), color=colors[lane])
         axes.set_yticks(range(len(names)), _spoken(names))
         axes.set_ylim(-0.6, len(names) - 0.4)
         axes.grid(visible=False)
@@ -68,11 +71,10 @@ class BehaviorSequence:
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws the share of the time that each behavior takes."""
         end = end_of(trials)
-        for lane, name in enumerate(measures.behaviors(trials)):
-            shares = per_trial(
-                trials, partial(time_share, column="behavior", value=name, end=end)
-            )
-            band(axes, middles(end), shares, lane, name)
+        names = measures.behaviors(trials)
+        for line in lines_of(names, behavior_colors(names)):
+            share = partial(time_share, column="behavior", value=line.name, end=end)
+            band(axes, middles(end), per_trial(trials, share), line)
         axes.set_ylim(0, 1)
         axes.set_ylabel("share of\nthe time")
 
@@ -93,15 +95,16 @@ class QValues:
         """Draws each behavior's value as it changed."""
         key = self.situation.find(trial)
         end = end_of(trial)
-        for lane, name in enumerate(measures.behaviors(trial)):
-            times, values = measures.q_curve(trial, key, name)
+        names = measures.behaviors(trial)
+        for line in lines_of(names, behavior_colors(names)):
+            times, values = measures.q_curve(trial, key, line.name)
             axes.step(
                 np.append(times, end) / MINUTE,
                 np.append(values, values[-1:] if len(values) else np.nan),
                 where="post",
-                color=PALETTE[lane],
-                linestyle=DASHES[lane],
-                label=_spoken([name])[0],
+                color=line.color,
+                linestyle=line.dash,
+                label=_spoken([line.name])[0],
             )
         _finish(axes)
 
@@ -113,9 +116,10 @@ class QValues:
         def sampled(trial: pl.DataFrame, name: str) -> FloatArray:
             return _sampled(*measures.q_curve(trial, key, name), grid)
 
-        for lane, name in enumerate(measures.behaviors(trials)):
-            curves = per_trial(trials, partial(sampled, name=name))
-            band(axes, grid, curves, lane, name)
+        names = measures.behaviors(trials)
+        for line in lines_of(names, behavior_colors(names)):
+            curves = per_trial(trials, partial(sampled, name=line.name))
+            band(axes, grid, curves, line)
         _finish(axes)
 
 
@@ -141,7 +145,7 @@ class CumulativeReward:
         """Draws the mean sum as one of several conditions."""
         grid = np.linspace(0, end_of(trials), POINTS)
         curves = per_trial(trials, lambda t: _sampled(*_cumulative(t), grid))
-        band(axes, grid, curves, lane, _condition(trials))
+        band(axes, grid, curves, _line(_condition(trials), lane))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -173,7 +177,7 @@ class TouchFrequency:
         """Draws the mean counts as one of several conditions."""
         end = end_of(trials)
         counts = per_trial(trials, lambda t: self._counts(t, end))
-        band(axes, middles(end), counts, lane, _condition(trials))
+        band(axes, middles(end), counts, _line(_condition(trials), lane))
 
     def _counts(self, trial: pl.DataFrame, end: float) -> FloatArray:
         felt = measures.touches(trial)
@@ -241,17 +245,38 @@ def _spoken(names: tuple[str, ...] | list[str]) -> list[str]:
     return [name.replace("_", " ") for name in names]
 
 
-def band(
-    axes: Axes, times: FloatArray, curves: FloatArray, lane: int | None, name: str
-) -> None:
+class Line(NamedTuple):
+    """How something is drawn as a line.
+
+    Attributes:
+        name: What it is called in the legend.
+        color: Its own.
+        dash: Its line style, for readers without any color.
+    """
+
+    name: str
+    color: str
+    dash: Any
+
+
+def lines_of(names: Sequence[str], colors: Sequence[str]) -> list[Line]:
+    """Returns how some things are drawn, each with a dash of its own."""
+    return [Line(*one) for one in zip(names, colors, cycle(DASHES), strict=False)]
+
+
+def _line(condition: str, lane: int | None) -> Line:
+    """Returns how one of several conditions is drawn, or the only one (None)."""
+    if lane is None:
+        return Line(condition, INK, "solid")
+    return Line(condition, CONDITIONS[lane], DASHES[lane])
+
+
+def band(axes: Axes, times: FloatArray, curves: FloatArray, line: Line) -> None:
     """Draws the mean of some curves with its interval."""
     center, low, high = mean_band(curves)
-    color = INK if lane is None else PALETTE[lane]
-    style = "solid" if lane is None else DASHES[lane]
-    axes.plot(
-        times / MINUTE, center, color=color, linestyle=style, label=_spoken([name])[0]
-    )
-    axes.fill_between(times / MINUTE, low, high, color=color, alpha=0.18, linewidth=0)
+    minutes, color, label = times / MINUTE, line.color, _spoken([line.name])[0]
+    axes.plot(minutes, center, color=color, linestyle=line.dash, label=label)
+    axes.fill_between(minutes, low, high, color=color, alpha=0.18, linewidth=0)
 
 
 def _finish(axes: Axes) -> None:

@@ -11,12 +11,14 @@ import polars as pl
 
 from experiments.analysis import measures
 from experiments.analysis.statistics import FloatArray, mean
-from experiments.figures.canvas import INK, PALETTE
+from experiments.figures.canvas import INK
+from experiments.figures.colors import CARESS, SITUATIONS, TAP
 from experiments.figures.plots import (
     MINUTE,
     band,
     end_of,
     legend_above,
+    lines_of,
     middles,
     per_trial,
     time_share,
@@ -43,7 +45,7 @@ class SituationSequence:
             begun = held["time"].to_numpy() / MINUTE
             ended = held["next_time"].to_numpy() / MINUTE
             spans = list(zip(begun, ended - begun, strict=True))
-            axes.broken_barh(spans, (lane - 0.4, 0.8), color=PALETTE[lane])
+            axes.broken_barh(spans, (lane - 0.4, 0.8), color=SITUATIONS[lane])
         axes.set_yticks(range(len(shown)), list(shown.values()))
         axes.set_ylim(-0.6, len(shown) - 0.4)
         axes.grid(visible=False)
@@ -51,9 +53,11 @@ class SituationSequence:
     def draw_seeds(self, axes: Axes, trials: pl.DataFrame) -> None:
         """Draws the share of the time that each situation takes."""
         end = end_of(trials)
-        for lane, (key, name) in enumerate(self._shown(trials).items()):
+        shown = self._shown(trials)
+        lines = lines_of(tuple(shown.values()), SITUATIONS)
+        for key, line in zip(shown, lines, strict=True):
             share = partial(time_share, column="situation", value=key, end=end)
-            band(axes, middles(end), per_trial(trials, share), lane, name)
+            band(axes, middles(end), per_trial(trials, share), line)
         axes.set_ylim(0, 1)
         axes.set_ylabel("share of\nthe time")
 
@@ -104,11 +108,11 @@ class TouchesByPhase:
     def _draw(self, axes: Axes, counts: FloatArray, end: float) -> None:
         phases = np.array([self.boundary / 2, (self.boundary + end) / 2]) / MINUTE
         width = self.boundary / MINUTE / 4
-        for kind, name in enumerate(("caresses", "taps")):
+        for kind, (name, color) in enumerate((("caresses", CARESS), ("taps", TAP))):
             found = [mean(counts[:, 2 * kind + phase]) for phase in (0, 1)]
             height = np.array([one.value for one in found])
             x = phases + (kind - 0.5) * width
-            axes.bar(x, height, 0.9 * width, color=PALETTE[1 - kind], label=name)
+            axes.bar(x, height, 0.9 * width, color=color, label=name)
             if len(counts) > 1:
                 low = height - [one.low for one in found]
                 high = [one.high for one in found] - height

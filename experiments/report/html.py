@@ -1,4 +1,4 @@
-"""The report: one HTML file that needs nothing else, for people."""
+"""The report: one HTML file for people; only films lie beside it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from experiments.report.format import (
     format_number,
     format_verdict,
 )
-from experiments.report.records import FactorialSummary, Published, Reproduced
+from experiments.report.records import FactorialSummary, Played, Published, Reproduced
 from experiments.running.files import to_json, write_text
 
 _TEMPLATES = Path(__file__).parent / "templates"
@@ -84,9 +84,23 @@ def _part(part: Reproduced, root: Path) -> dict[str, Any]:
         "n_seeds": len(part.study.seeds),
         "seeds": _ranges(part.study.seeds),
         "typical_seed": part.typical_seed,
-        "replay": str(part.replay.relative_to(root)),
+        "played": _played(part.played, root),
         "sessions": part.document["sessions"],
         "configuration": to_json(part.document["configuration"]),
+    }
+
+
+def _played(played: Played, root: Path) -> dict[str, str]:
+    """Returns where a trial to be looked at is found from the report."""
+    paths = {
+        "recording": played.recording,
+        "page": played.page,
+        "film": played.film,
+        "picture": played.picture,
+    }
+    return {
+        what: path.relative_to(root).as_posix() if path else ""
+        for what, path in paths.items()
     }
 
 

@@ -36,6 +36,23 @@ class DrawnFigure:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Played:
+    """A trial to be looked at."""
+
+    recording: Path
+    """For the Rerun viewer."""
+
+    page: Path
+    """Shows the recording in a browser, without installation."""
+
+    film: Path | None
+    """The same as a film; None where the extra ``render`` is missing."""
+
+    picture: Path
+    """A moment of it, as SVG."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Reproduced:
     """An experiment with all that came out of it."""
 
@@ -66,8 +83,8 @@ class Reproduced:
     typical_seed: int
     """The seed whose trial is recorded."""
 
-    replay: Path
-    """The recording."""
+    played: Played
+    """Its trial to be looked at."""
 
 
 @dataclass(frozen=True, kw_only=True)

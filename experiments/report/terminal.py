@@ -66,8 +66,12 @@ def show(console: Console, published: Published) -> None:
     for what, path in places.items():
         console.print(f"{what}: {path}", highlight=False, soft_wrap=True)
     for part in published.reproduced:
-        command = f"household replay {part.replay}"
-        console.print(f"replay: {command}", highlight=False, soft_wrap=True)
+        played = part.played
+        console.print(f"replay: {played.page}", highlight=False, soft_wrap=True)
+        command = f"household replay {played.recording}"
+        console.print(f"  or: {command}", highlight=False, soft_wrap=True)
+    if any(part.played.film is None for part in published.reproduced):
+        console.print("no films: pip install 'polite-household[render]'")
 
 
 def claims_table(published: Published, *, narrow: bool = False) -> Table:

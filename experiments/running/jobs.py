@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     import polars
 
 
-SPACE, SPACE_PER_TRIAL = 2e7, 1e5
-"""What figures, report and replays take, and what a trial's table takes [bytes]; about
-twice what those of the paper take."""
+SPACE, SPACE_PER_TRIAL = 6e7, 1e5
+"""What figures, report, replays and their viewer take, and what a trial's table takes
+[bytes]; about twice what those of the paper take."""
 
 
 @dataclass(frozen=True, kw_only=True)

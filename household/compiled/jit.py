@@ -62,10 +62,20 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
     Numba refuses to compile at all where neither the package's folder nor the user's
     home can be written; then every process compiles for itself.
     """
+    return _compiled(function, alone=True)
+
+
+def compiled_aside(function: Callable[P, R]) -> Callable[P, R]:
+    """Compiles a function that takes long; other threads of Python run meanwhile."""
+    return _compiled(function, alone=False)
+
+
+def _compiled(function: Callable[P, R], *, alone: bool) -> Callable[P, R]:
+    options: Any = {"error_model": RULES, "nogil": not alone}
     try:
-        return cast("Callable[P, R]", njit(cache=True, error_model=RULES)(function))
+        return cast("Callable[P, R]", njit(cache=True, **options)(function))
     except RuntimeError:
-        return cast("Callable[P, R]", njit(error_model=RULES)(function))
+        return cast("Callable[P, R]", njit(**options)(function))
 
 
 def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:

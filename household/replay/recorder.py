@@ -2,23 +2,27 @@
 
 import atexit
 import time
-from collections.abc import Iterable
-from functools import lru_cache
+from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache, partial
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
+from household.compiled.arrays import Floats
+from household.replay.aside import Aside
 from household.replay.blueprint import blueprint
 from household.replay.buffer import FLUSH_EVERY, Buffer
 from household.replay.choices import Choice, Choices
 from household.replay.events import Belief, Events
 from household.replay.moments import send_moments, send_state
+from household.replay.names import Felt
 from household.replay.process import open_viewer
 from household.replay.scenery import send_scenery
 from household.replay.situations import Situations
 from household.replay.stream import Stream, Times, saved_blueprint, times_of
 from household.scenario.scenario import Scenario
+from household.simulation.moment import Moments
 from household.simulation.simulation import Simulation
 from household.simulation.snapshot import touches
 
@@ -30,8 +34,8 @@ class Recorder:
     """Writes one episode, from the moment after its reset.
 
     Moments are kept in memory and written as columns, since a call to Rerun at each
-    step would cost more than the simulation. If the process is killed, the file holds
-    everything up to the last write.
+    step would cost more than the simulation; the columns are made by another thread. If
+    the process is killed, the file holds everything up to the last write.
 
     Args:
         simulation: The household's; its episode has just begun.
@@ -59,6 +63,7 @@ class Recorder:
         self._situations = Situations(scenario)
         self._choices = Choices(scenario, self._times)
         self._watch, self._written = bool(watch), time.monotonic()
+        self._aside = Aside()
         kind = f"household-{scenario.name}{'-learning' if learns else ''}"
         target = None if path is None else Path(path)
         name = scenario.name if target is None else target.stem
@@ -88,7 +93,7 @@ class Recorder:
         if robots.touched:
             self._events.feel(touches(robots))
         if buffer.full or (self._watch and self._is_due()):
-            self._write()
+            self._aside.begin(self._taken())
 
     def choose(self, choice: Choice) -> None:
         """Records what a learner knows, and does, as of this moment."""
@@ -100,26 +105,33 @@ class Recorder:
 
     def flush(self) -> None:
         """Writes everything so far, and waits until it is written."""
-        self._write()
+        self._aside.wait()
+        self._taken()()
         self.wait()
 
     def wait(self) -> None:
         """Waits until Rerun has written all that it was given."""
+        self._aside.wait()
         self._stream.flush()
 
-    def _write(self) -> None:
-        """Gives Rerun everything so far to write while the episode goes on."""
+    def _taken(self) -> Callable[[], None]:
+        """Takes everything so far; returns what gives it to Rerun."""
+        self._aside.wait()
         moments = self._buffer.take()
         felt = self._events.felt()
         self._events.send(self._stream)
         self._choices.send(self._stream)
+        total = self._total
+        self._total = total + moments.reward.sum(axis=0)
+        self._written = time.monotonic()
         # After those, so that what a kill leaves of a file has all that belongs to the
         # moments in it.
+        return partial(self._send, moments, total, felt)
+
+    def _send(self, moments: Moments, total: Floats, felt: Sequence[Felt]) -> None:
         if len(moments):
-            send_moments(self._stream, self._scenario, moments, self._total, felt)
+            send_moments(self._stream, self._scenario, moments, total, felt)
             self._situations.send(self._stream, moments)
-            self._total = self._total + moments.reward.sum(axis=0)
-        self._written = time.monotonic()
 
     def close(self) -> None:
         """Writes the rest and closes the file; a second time does nothing."""

@@ -1,6 +1,7 @@
 """Rendering: a replay as a picture, as a film, or as a GIF, without a viewer."""
 
 from collections.abc import Callable, Iterable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,11 @@ GIF_FPS = 8.0
 
 Track = Callable[[Replay], Iterable[Snapshot]]
 """Goes through the moments of a replay, for example to show progress."""
+
+
+def can_film() -> bool:
+    """Whether the extra ``render``, which films need, is installed."""
+    return all(find_spec(name) for name in ("imageio_ffmpeg", "pygame"))
 
 
 def write_picture(
@@ -61,6 +67,7 @@ def write_film(
     size: tuple[int, int] | None = None,
     speed: float | None = None,
     track: Track = iter,
+    fps: float | None = None,
 ) -> None:
     """Makes a film of a replay.
 
@@ -71,13 +78,14 @@ def write_film(
         speed: Seconds of the episode in one of the film; None: so that the film lasts
             20 s to 60 s.
         track: Goes through the moments.
+        fps: The most frames in a second; None: as usual for that format.
 
     Raises:
         HouseholdError: If the extra ``render`` is missing.
     """
     replay, gif = read_replay(path), Path(out).suffix.lower() == ".gif"
     size = size or (SMALL if gif else film.SIZE)
-    most = GIF_FPS if gif else film.MOST_FPS
+    most = fps or (GIF_FPS if gif else film.MOST_FPS)
     period = replay.scenario.decision_period
     pace = film.pace_of(len(replay), period, speed, most)
     painter = film.FilmPainter(replay.scenario, size)

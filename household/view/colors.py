@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from household.activity import Activity
 from household.compiled.arrays import Singles
-from household.compiled.jit import compiled
+from household.compiled.jit import compiled_aside
 
 Bytes = NDArray[np.uint8]
 
@@ -129,7 +129,7 @@ HEAT = np.array([[240, 241, 245], [107, 174, 214], [8, 81, 156], [3, 19, 43.0]])
 """Shares, and their colors from nearly white over blue to nearly black."""
 
 
-@compiled
+@compiled_aside
 def heat(values: Singles) -> Bytes:
     """Shares in [0, 1] as colors, interpolated linearly between `STOPS`.
 

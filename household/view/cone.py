@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from household.compiled.arrays import Floats, Mask, Singles
-from household.compiled.jit import compiled
+from household.compiled.jit import compiled, compiled_aside
 
 RAYS = 11
 """Rays in a cone; 120 degrees of view are drawn in steps of 12 degrees."""
@@ -60,7 +60,7 @@ class Blocks(NamedTuple):
     near: Floats
 
 
-@compiled
+@compiled_aside
 def gaze_cones(
     position: Floats, gaze: Floats, half_view: Floats, segments: Floats, reach: float
 ) -> Singles:

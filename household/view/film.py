@@ -19,7 +19,14 @@ from household.view.colors import (
     robot_colors,
 )
 from household.view.figure import role_in_words
-from household.view.painter import BODY, PAPER, Painter, font, load_pygame
+from household.view.painter import (
+    BODY,
+    PAPER,
+    Painter,
+    font,
+    load_pygame,
+    pixels_of,
+)
 
 if TYPE_CHECKING:
     import pygame
@@ -119,8 +126,7 @@ class FilmPainter:
         for text, kind in self._captions:
             self._write(surface, (left, y), text, CARESS if kind == "caress" else TAP)
             y += line
-        frame = self._pygame.surfarray.array3d(surface).swapaxes(0, 1)
-        return np.ascontiguousarray(frame)
+        return pixels_of(surface)
 
     def _draw_legend(
         self, surface: pygame.Surface, moment: Snapshot, left: float, line: float

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.compiled.jit import compiled
+from household.compiled.jit import compiled, compiled_aside
 
 GAP = 0.03
 """Between a body and its name [m]."""
@@ -52,7 +52,7 @@ class Box(NamedTuple):
     height: float
 
 
-@compiled
+@compiled_aside
 def place_labels(
     position: Floats, radius: Floats, size: Floats, bounds: Floats
 ) -> Floats:

