@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -211,17 +212,25 @@ def table():
 
 
 @pytest.fixture
-def stored(tmp_path, play_trial):
+def stored(tmp_path, stored_once):
     """Directory with the plain run of experiment 1 and its factorial, in a toy home."""
+    shutil.copytree(stored_once, tmp_path, dirs_exist_ok=True)
+    return tmp_path
+
+
+@pytest.fixture(scope="session")
+def stored_once(tmp_path_factory, play_trial):
+    """The same, to be copied by every test that changes it."""
+    folder = tmp_path_factory.mktemp("stored")
     plain, combined = EXPERIMENTS[1].study((0, 1)), factorial.study(1, (0, 1))
     for study in (plain, combined):
-        results = Results(tmp_path / study.name)
+        results = Results(folder / study.name)
         results.prepare(study, {})
         for index, trial in enumerate(study.trials()):
             made = pl.DataFrame({"right": [0.5 + index / 1000], "reward": 1.0})
             frame = play_trial(trial, 60) if study is plain else made
             results.write(trial, frame)
-    return tmp_path
+    return folder
 
 
 @pytest.fixture
@@ -231,12 +240,12 @@ def plain_table(stored):
     return Results(stored / study.name).read(study)
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def variant():
     """Returns a function that finds a variant of experiment 1."""
+    every = sensitivity.variants([EXPERIMENTS[1]])
 
     def find(name, direction="up"):
-        every = sensitivity.variants([EXPERIMENTS[1]])
         return next(
             one
             for one in every

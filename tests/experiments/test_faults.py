@@ -367,11 +367,11 @@ def test_on_a_disk_that_cannot_be_written_to_every_command_is_one_line(mounted, 
 
 def test_after_kill_9_of_a_training_the_same_command_gives_the_same(tmp_path):
     command = [sys.executable, "-m", "experiments", "train", "experiment_1"]
-    command += ["--decisions", "4000", "--out"]
+    command += ["--decisions", "1500", "--out"]
     process = subprocess.Popen(
         [*command, str(tmp_path / "killed")], stdout=subprocess.PIPE, text=True
     )
-    assert process.stdout.readline().startswith("400 of 4000")
+    assert process.stdout.readline().startswith("150 of 1500")
     process.kill()
     process.communicate()
     left = {path.name for path in (tmp_path / "killed").iterdir()}

@@ -13,7 +13,7 @@ from policies.people.gaze import Aims, Gaze
 
 PEOPLE, ROBOTS = (0, 1), (2, 3)
 QUIET = np.zeros(4)
-LIVES = 4000
+LIVES = 1500
 
 
 def turned(gaze, percepts):
