@@ -140,7 +140,10 @@ def one_second_before(reward):
 
 @pytest.fixture
 def live(toy):
-    """live(learner, n, rng, start): n entries of a home whose people like behavior 1.
+    """live(learner, n, rng, start, late): n entries of a home that likes behavior 1.
+
+    People take a while to react: nobody is seen setting out, or turning to the robot,
+    within ``late`` seconds of what moves it.
 
     Returns the behaviors chosen.
     """
@@ -150,12 +153,13 @@ def live(toy):
         plays = ", ".join(f"{e} {roles[rng.integers(3)]}" for e in ("ann", "bob"))
         return toy(plays, *(["ann robot"] if rng.random() < 0.5 else []))
 
-    def make(learner, n, rng, start=0.0):
+    def make(learner, n, rng, start=0.0, late=1.0):
         chosen, time, state = [], start, draw(rng)
         for _ in range(n):
             action = learner.act(state)
             chosen.append(action)
-            following, length = draw(rng), float(rng.integers(1, 5))
+            following, walk = draw(rng), float(rng.integers(1, 5))
+            moved, length = time + late, late + walk
             felt = ()
             if rng.random() < 0.4:
                 felt = (
@@ -165,10 +169,8 @@ def live(toy):
                         giver=("ann", "bob")[rng.integers(2)],
                         attending=bool(rng.random() < 0.7),
                         mood=float(rng.uniform(-1, 1)),
-                        approach_began=time + length / 2
-                        if rng.random() < 0.5
-                        else None,
-                        attention_began=time + length / 4,
+                        approach_began=moved + walk / 2 if rng.random() < 0.5 else None,
+                        attention_began=moved + walk / 4,
                     ),
                 )
             learner.learn(

@@ -33,7 +33,7 @@ def test_the_same_seed_lives_the_same_day(name, live, attached):
 
 LEARNING = set(CATALOG) - {
     "random",
-    # Touches come 1 to 4 s after their cause here: a fixed 3 s hits few of them.
+    # Touches come 2 to 5 s after their cause here: a fixed 3 s hits few of them.
     "designated_fixed_delay",
     "fixed_shift",
 }
