@@ -26,8 +26,8 @@ class Maps:
     names: Annotated[
         Positional[tuple[str, ...]], arg(metavar="[NAME]", help_behavior_hint="")
     ] = ()
-    """attention, watching, teachers_1 (to 5), rate_representation, rate_silence_1 (to
-    5); all of them if none is named."""
+    """attention, approach, watching, teachers_1 (to 5), rate_representation,
+    rate_silence_1 (to 5); all of them if none is named."""
 
     seeds: int = 20
     """Trials of each cell; their seeds are 0, 1, 2, ..."""
@@ -78,7 +78,7 @@ class Maps:
 
     def _studies(self) -> list[Study]:
         """Checks what was asked for before anything is run."""
-        from experiments.paper import EXPERIMENTS
+        from experiments.paper import OF_PAPER
         from experiments.studies import teachers
         from experiments.studies.ablations import ABLATIONS
         from experiments.studies.maps import MAPS
@@ -88,7 +88,7 @@ class Maps:
         seeds = tuple(range(self.seeds))
         known = {
             **{name: one.study(seeds) for name, one in MAPS.items()},
-            **{f"teachers_{n}": teachers.study(n, seeds) for n in EXPERIMENTS},
+            **{f"teachers_{n}": teachers.study(n, seeds) for n in OF_PAPER},
             **{name: one.study(seeds) for name, one in ABLATIONS.items()},
         }
         for name in self.names:

@@ -28,9 +28,9 @@ class Reproduce:
     """
 
     experiments: Annotated[
-        Positional[tuple[str, ...]], arg(metavar="[1..5]", help_behavior_hint="")
+        Positional[tuple[str, ...]], arg(metavar="[1..6]", help_behavior_hint="")
     ] = ()
-    """Which experiments; all of them if none is named."""
+    """Which experiments; all of them if none is named. 6 is not the paper's."""
 
     seeds: int = 30
     """Trials per condition; their seeds are 0, 1, 2, ..."""
@@ -92,13 +92,14 @@ class Reproduce:
 
         seeds = tuple(range(self.seeds))
         studies = [each.study(seeds) for each in experiments]
+        of_paper = [each for each in experiments if each.of_paper]
         if self.factorial:
-            studies += [factorial.study(each.number, seeds) for each in experiments]
+            studies += [factorial.study(each.number, seeds) for each in of_paper]
         if self.sensitivity:
             fewer = seeds[: self.sensitivity_seeds]
             studies += [
                 variant.study(fewer)
-                for variant in sensitivity.variants(experiments)
+                for variant in sensitivity.variants(of_paper)
                 if variant.conditions
             ]
         return studies

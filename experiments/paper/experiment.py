@@ -87,7 +87,7 @@ class Experiment:
     """One experiment of the paper."""
 
     number: int
-    """As in the paper, 1 to 5."""
+    """As in the paper, 1 to 5; from 6 on they are ours."""
 
     title: str
     """A few words."""
@@ -120,6 +120,9 @@ class Experiment:
 
     further: tuple[Method, ...] = ()
     """Evaluations beside those that every experiment has."""
+
+    of_paper: bool = True
+    """Whether it is the paper's, and so are its claims."""
 
     @property
     def name(self) -> str:

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from math import isnan
 
-from experiments.analysis.claims import Finding
+from experiments.analysis.claims import Finding, overall
 from experiments.analysis.deciding import EMPTY, FAILS, HOLDS, UNATTAINABLE, UNDECIDED
 from experiments.analysis.statistics import Estimate
 
 VERDICTS = {HOLDS: "✓ holds", FAILS: "✗ fails", UNDECIDED: "? undecided"}
 """Told by sign and word, never by color alone."""
+
+
+def tally(findings: Iterable[Finding]) -> str:
+    """Returns how many claims hold: `11 of 17 claims hold, 2 undecided`."""
+    found = list(overall(findings).values())
+    undecided = found.count(UNDECIDED)
+    more = f", {undecided} undecided" if undecided else ""
+    return f"{found.count(HOLDS)} of {len(found)} claims hold{more}"
 
 
 def format_number(value: float, *, is_share: bool) -> str:

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from experiments.analysis.claims import Finding, overall
-from experiments.analysis.deciding import HOLDS, UNDECIDED
 from experiments.report.format import (
     finding_interval,
     finding_references,
@@ -16,6 +15,7 @@ from experiments.report.format import (
     format_interval,
     format_number,
     format_verdict,
+    tally,
 )
 from experiments.report.records import FactorialSummary, Played, Published, Reproduced
 from experiments.running.files import to_json, write_text
@@ -56,8 +56,8 @@ def _context(published: Published) -> dict[str, Any]:
     root = published.report_file.parent
     return {
         "verdicts": ids,
-        "n_holding": list(ids.values()).count(HOLDS),
-        "n_undecided": list(ids.values()).count(UNDECIDED),
+        "of_paper": tally(published.findings_of(paper=True)),
+        "own": tally(own) if (own := published.findings_of(paper=False)) else "",
         "unfinished": published.unfinished,
         "parts": [_part(part, root) for part in published.reproduced],
         "factorial": [_factorial(one) for one in published.factorial],

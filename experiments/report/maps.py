@@ -11,7 +11,7 @@ from experiments.analysis.deciding import HOLDS
 from experiments.analysis.statistics import Estimate
 from experiments.analysis.tables import Cell, Table
 from experiments.figures.heat_map import HeatMap, Spot
-from experiments.paper import EXPERIMENTS
+from experiments.paper import OF_PAPER
 from experiments.report.format import (
     VERDICTS,
     finding_threshold,
@@ -112,7 +112,7 @@ def teacher_table(out: Path) -> Table | None:
     """
     rows: list[tuple[str, tuple[Cell, ...]]] = []
     n_seeds = 0
-    for number in EXPERIMENTS:
+    for number in OF_PAPER:
         seeds = _seeds(out, f"maps/teachers_{number}")
         study = teachers.study(number, seeds) if seeds else None
         if study is not None and _is_whole(out, study):

@@ -216,3 +216,12 @@ class Published:
     def findings(self) -> tuple[Finding, ...]:
         """Every finding of every experiment."""
         return tuple(one for part in self.reproduced for one in part.findings)
+
+    def findings_of(self, *, paper: bool) -> tuple[Finding, ...]:
+        """The findings on the paper's claims, or those on ours."""
+        return tuple(
+            one
+            for part in self.reproduced
+            if part.experiment.of_paper == paper
+            for one in part.findings
+        )

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import polars as pl
 
 from experiments.analysis.tables import Cell, Table
-from experiments.paper import EXPERIMENTS
+from experiments.paper import EXPERIMENTS, OF_PAPER
 from experiments.report.format import format_number
 from experiments.report.records import FactorialSummary, SensitivitySummary
 from experiments.running.store import Results
@@ -27,7 +27,7 @@ def summarize_factorial(out: Path) -> tuple[FactorialSummary, ...]:
         out: The directory of all results.
     """
     found = []
-    for number in EXPERIMENTS:
+    for number in OF_PAPER:
         results = Results(out / f"factorial/experiment_{number}")
         if results.study_file.exists():
             seeds = tuple(results.read_study()["seeds"])
@@ -91,13 +91,14 @@ def summarize_sensitivity(
     """
     if not (out / "sensitivity").exists():
         return None
-    every = sensitivity.variants(EXPERIMENTS[number] for number in tables)
+    of_paper = [number for number in tables if number in OF_PAPER]
+    every = sensitivity.variants(EXPERIMENTS[number] for number in of_paper)
     changing = [variant for variant in every if variant.conditions]
     held = _Verdicts(out, tables)
     finished = [one for one in changing if held.of(one) is not None]
     if not finished:
         return None
-    ids = sorted({c.id for number in tables for c in EXPERIMENTS[number].claims})
+    ids = sorted({c.id for number in of_paper for c in EXPERIMENTS[number].claims})
     flips = Counter(id for variant in finished for id in held.flipped(variant))
     return SensitivitySummary(
         table=_heat_map(every, held, ids),

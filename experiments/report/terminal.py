@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from experiments.analysis.claims import overall
 from experiments.analysis.deciding import FAILS, HOLDS, UNDECIDED
 from experiments.report.format import (
     VERDICTS,
@@ -13,6 +12,7 @@ from experiments.report.format import (
     finding_remarks,
     finding_threshold,
     finding_value,
+    tally,
 )
 from experiments.report.records import Published
 
@@ -43,10 +43,12 @@ def show(console: Console, published: Published) -> None:
         published: What came out.
     """
     console.print(claims_table(published, narrow=console.width < ROOM))
-    found = list(overall(published.findings).values())
-    undecided = found.count(UNDECIDED)
-    more = f", {undecided} undecided" if undecided else ""
-    console.print(f"{found.count(HOLDS)} of {len(found)} claims hold{more}.\n")
+    own = published.findings_of(paper=False)
+    if of_paper := published.findings_of(paper=True):
+        console.print(f"{tally(of_paper)}.")
+    if own:
+        console.print(f"Experiment 6 is ours: {tally(own)}.")
+    console.print()
     for finding in published.findings:
         for remark in finding_remarks(finding):
             where = f"{finding.claim.id} ({finding.claim.condition})"

@@ -20,6 +20,8 @@ from experiments.running.trial import run_trial
 from experiments.studies.varying import (
     ATTENTION,
     HABITUATION,
+    NOTICE_DELAY,
+    NOTICE_NOISE,
     TEMPERATURE,
     WATCHING,
     Axis,
@@ -143,6 +145,14 @@ MAPS: Mapping[str, Map] = {
             ids=("1a", "1b"),
             across=TEMPERATURE,
             up=ATTENTION,
+        ),
+        Map(
+            name="approach",
+            title="Designated credit: how late and how exactly an approach is noticed",
+            number=4,
+            ids=("4a", "4b"),
+            across=NOTICE_DELAY,
+            up=NOTICE_NOISE,
         ),
         Map(
             name="watching",

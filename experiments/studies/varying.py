@@ -6,6 +6,7 @@ import copy
 import dataclasses
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from experiments.running.study import Condition
@@ -83,6 +84,21 @@ def watching(condition: Condition, share: float) -> Condition:
     return with_people(condition, people)
 
 
+def perception(condition: Condition, level: float, name: str) -> Condition:
+    """Returns a condition with one constant of perception changed.
+
+    Args:
+        condition: What to change; stays as it is.
+        level: The constant's new value.
+        name: Of the constant.
+    """
+    before = condition.scenario_overrides.get(
+        "perception", plain_scenario(condition.scenario)["perception"]
+    )
+    overrides = {**condition.scenario_overrides, "perception": {**before, name: level}}
+    return dataclasses.replace(condition, scenario_overrides=overrides)
+
+
 def people_of(condition: Condition) -> People:
     """Returns a copy of the people of a condition, with their personas written out."""
     plain = plain_scenario(condition.scenario)["people"]
@@ -135,4 +151,20 @@ HABITUATION = Axis(
     levels=(0.0, 0.05, 0.15, 0.3),
     usual=0.15,
     vary=habituation,
+)
+
+NOTICE_DELAY = Axis(
+    name="notice_delay",
+    label="how late a robot notices an approach [s]",
+    levels=(0.0, 0.5, 1.0, 2.0, 4.0),
+    usual=0.5,
+    vary=partial(perception, name="notice_delay"),
+)
+
+NOTICE_NOISE = Axis(
+    name="notice_noise",
+    label="error of that time,\nstandard deviation [s]",
+    levels=(0.0, 0.3, 1.0, 2.0),
+    usual=0.3,
+    vary=partial(perception, name="notice_noise"),
 )

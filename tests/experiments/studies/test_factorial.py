@@ -2,7 +2,7 @@ import numpy as np
 import polars as pl
 import pytest
 
-from experiments.paper import EXPERIMENTS
+from experiments.paper import EXPERIMENTS, OF_PAPER
 from experiments.running.study import Condition, Trial
 from experiments.running.trial import describe_condition
 from experiments.studies import factorial
@@ -26,7 +26,7 @@ def test_the_36_conditions_combine_every_level_and_can_all_be_made():
     assert all(one not in settings[:index] for index, one in enumerate(settings))
 
 
-@pytest.mark.parametrize("number", EXPERIMENTS)
+@pytest.mark.parametrize("number", OF_PAPER)
 def test_what_the_paper_ran_is_among_the_combinations(number):
     ran = {Combination(**one.factors) for one in factorial.conditions(number)}
     assert factorial.PAPER[number] <= ran
