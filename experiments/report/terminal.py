@@ -42,6 +42,11 @@ def show(console: Console, published: Published) -> None:
         console: Where to.
         published: What came out.
     """
+    _show_claims(console, published)
+    _show_places(console, published)
+
+
+def _show_claims(console: Console, published: Published) -> None:
     console.print(claims_table(published, narrow=console.width < ROOM))
     own = published.findings_of(paper=False)
     if of_paper := published.findings_of(paper=True):
@@ -55,6 +60,9 @@ def show(console: Console, published: Published) -> None:
             console.print(f"{where}: {remark}", highlight=False)
     for sentence in published.unfinished:
         console.print(sentence, highlight=False)
+
+
+def _show_places(console: Console, published: Published) -> None:
     out = published.report_file.parent
     places = {
         "report": published.report_file,
