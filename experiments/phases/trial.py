@@ -11,14 +11,17 @@ where another trial has stored it; the result is the same.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+import copy
+from collections.abc import Iterator
 from dataclasses import asdict
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from experiments.phases.drawing import probed_in, trained_in
+from experiments.phases.drawing import probed_in
+from experiments.phases.frozen import policy_of
+from experiments.phases.lessons import TRAINED, condition_of, streams_of, taught
+from experiments.phases.probed import LIVED, STEPS, Row, about, life, probes_of, row_of
 from experiments.phases.records import Phases
 from experiments.phases.robots import (
     Diary,
@@ -28,32 +31,19 @@ from experiments.phases.robots import (
     home_of,
     kept,
     learns,
-    new_team,
     robots_of,
-    teach,
     touched,
 )
-from experiments.phases.seeing import Slotted, observes
 from experiments.phases.splits import HASHES
 from experiments.phases.world import Residence, described, household
 from experiments.running.study import Condition, Trial
-from experiments.scoring.moments import Moment, ProbeSet, Sight, probe_set
-from experiments.scoring.policies import Policy, of_learner, of_robots, specification
+from experiments.scoring.policies import specification
 from experiments.scoring.references import references
-from experiments.scoring.scores import live, probe_score
+from experiments.scoring.scores import probe_score
 from learners.team import Team
 
 if TYPE_CHECKING:
     import polars
-
-    from household.environment import Household
-    from learners.learner import Learner
-    from policies.learning import LearningRobot
-
-WALKS, STEPS = 2, 900
-"""Reference walks that a probe set is drawn from, and their length [steps]."""
-
-Row = dict[str, Any]
 
 _OVER = object()
 
@@ -68,8 +58,8 @@ def train(trial: Trial) -> polars.DataFrame:
     """
     import polars as pl
 
-    team, row = _taught(trial)
-    text = kept(team) if can_be_kept(_condition(trial)) else ""
+    team, row = taught(trial)
+    text = kept(team) if can_be_kept(condition_of(trial)) else ""
     return pl.DataFrame({"learned": text} | row)
 
 
@@ -92,7 +82,7 @@ def run(trial: Trial, learned: polars.DataFrame | None = None) -> polars.DataFra
     """
     import polars as pl
 
-    condition = _condition(trial)
+    condition = condition_of(trial)
     rows = _learner_rows(trial, learned) if learns(condition) else _policy_rows(trial)
     return pl.DataFrame(list(rows), _SCHEMA)
 
@@ -120,75 +110,21 @@ def describe_training(condition: Condition) -> dict[str, Any]:
     return document
 
 
-def _condition(trial: Trial) -> Phases:
-    return cast(Phases, trial.condition)
-
-
-def _streams(trial: Trial) -> list[np.random.SeedSequence]:
-    """Streams for: learning, living in training, adapting, choosing."""
-    return np.random.SeedSequence(trial.seed, spawn_key=(6,)).spawn(4)
-
-
-def _taught(trial: Trial) -> tuple[Team, Row]:
-    """Runs the first phase: all robots together, or each in households of its own."""
-    condition = _condition(trial)
-    alone = condition.training.alone
-    learning, living, _, _ = _streams(trial)
-    if not alone:
-        team, diary = _lesson(condition, trial.seed, learning, living)
-        return team, _trained([diary])
-    lessons = [
-        _lesson(condition, trial.seed, one, other)
-        for one, other in zip(learning.spawn(alone), living.spawn(alone), strict=True)
-    ]
-    members: dict[Hashable, Learner] = {
-        f"robot_{number}": next(iter(team.members.values()))
-        for number, (team, _) in enumerate(lessons)
-    }
-    return Team(members=members), _trained([diary for _, diary in lessons])
-
-
-def _lesson(
-    condition: Phases,
-    seed: int,
-    learning: np.random.SeedSequence,
-    living: np.random.SeedSequence,
-) -> tuple[Team, Diary]:
-    """Teaches new robots in the households of training."""
-    residences = trained_in(condition.training, seed)
-    env = household(residences[0], 1)
-    rng = np.random.default_rng(learning)
-    team = new_team(condition, env.possible_agents, len(env.behaviors), rng)
-    words = [int(word) for word in living.generate_state(len(residences))]
-    return team, teach(team, residences, condition.training.decisions, words)
-
-
-def _trained(diaries: Sequence[Diary]) -> Row:
-    choices = sum(each.choices for each in diaries)
-    return {
-        "trained_touches": sum(each.touches for each in diaries),
-        "trained_choices": choices,
-        "met": sum(each.met for each in diaries) / max(choices, 1),
-    }
-
-
 def _learner_rows(trial: Trial, learned: polars.DataFrame | None) -> Iterator[Row]:
     """The rows of a learner."""
-    import copy
-
-    condition = _condition(trial)
+    condition = condition_of(trial)
     if learned is None or not learned["learned"][0]:
-        team, row = _taught(trial)
+        team, row = taught(trial)
     else:
         team, row = brought_back(learned["learned"][0]), learned.row(0, named=True)
     text = kept(team) if can_be_kept(condition) else None
-    adapting, choosing = (each.spawn(64) for each in _streams(trial)[2:])
+    adapting, choosing = (each.spawn(64) for each in streams_of(trial)[2:])
     for number, residence in enumerate(probed_in(condition, trial.seed)):
         fresh = brought_back(text) if text is not None else copy.deepcopy(team)
         seed = int(adapting[number].generate_state(1)[0])
         rng = np.random.default_rng(choosing[number])
         for each in _adapted(condition, residence, fresh, seed, rng):
-            yield {name: row[name] for name in _TRAINED} | each
+            yield {name: row[name] for name in TRAINED} | each
 
 
 def _adapted(
@@ -199,7 +135,7 @@ def _adapted(
     rng: np.random.Generator,
 ) -> Iterator[Row]:
     """The rows of one household, as its robots adapt to it."""
-    probing, probes = condition.probing, _probes(residence)
+    probing, probes = condition.probing, probes_of(residence)
     env = home_of(team, residence, probing.decisions)
     robots, diary = robots_of(team), Diary()
     going_on = touched(env, robots, seed, diary)
@@ -210,9 +146,9 @@ def _adapted(
         last = touches == probing.touches[-1]
         if last:
             going_on.close()
-        policy = _policy_of(robots, rng, env)
+        policy = policy_of(robots, rng, env)
         lived = probing.lived if last else 0
-        yield _row(residence, policy, probes, lived) | {
+        yield row_of(residence, policy, probes, lived) | {
             "touches": touches,
             "felt": diary.touches,
             "choices": diary.choices,
@@ -220,62 +156,11 @@ def _adapted(
         }
 
 
-def _policy_of(
-    robots: Mapping[str, LearningRobot], rng: np.random.Generator, env: Household
-) -> Policy:
-    """What robots that no longer learn would do."""
-    return of_robots(
-        {
-            agent: _looking(robot.learner, env)
-            if observes(robot.learner)
-            else of_learner(cast("Learner", _Remembering(robot.learner)), rng)
-            for agent, robot in robots.items()
-        }
-    )
-
-
-def _looking(learner: Learner, env: Household) -> Policy:
-    """What a learner that looks at the features would do."""
-    slotted = Slotted(env)
-
-    def greedy(sight: Sight) -> int:
-        seen = slotted.seen(sight.situation, sight.observation)
-        return int(learner.q_values(seen).argmax())
-
-    def deployed(sight: Sight) -> int:
-        return learner.act(slotted.seen(sight.situation, sight.observation))
-
-    return Policy(greedy=greedy, deployed=deployed)
-
-
-class _Remembering:
-    """A learner that no longer learns, and is asked for each situation only once."""
-
-    def __init__(self, learner: Learner) -> None:
-        self._learner = learner
-        self._values: dict[Hashable, Any] = {}
-        self._estimates: dict[Hashable, Any] = {}
-        self.act = learner.act
-        self.exploration = getattr(learner, "exploration", None)
-
-    def q_values(self, state: Hashable) -> Any:  # noqa: ANN401 - as the learner's
-        """Its values, remembered."""
-        if state not in self._values:
-            self._values[state] = self._learner.q_values(state)
-        return self._values[state]
-
-    def estimates(self, state: Hashable) -> Any:  # noqa: ANN401 - as the learner's
-        """Its estimates, remembered."""
-        if state not in self._estimates:
-            self._estimates[state] = self._learner.estimates(state)  # type: ignore[attr-defined]
-        return self._estimates[state]
-
-
 def _policy_rows(trial: Trial) -> Iterator[Row]:
     """The rows of a policy or a reference, which does not learn."""
-    condition = _condition(trial)
-    nothing = dict.fromkeys(_TRAINED, 0) | {"met": None}
-    choosing = _streams(trial)[3].spawn(64)
+    condition = condition_of(trial)
+    nothing = dict.fromkeys(TRAINED, 0) | {"met": None}
+    choosing = streams_of(trial)[3].spawn(64)
     for number, residence in enumerate(probed_in(condition, trial.seed)):
         rng = np.random.default_rng(choosing[number])
         scores = _policy_scores(condition, residence, rng)
@@ -286,7 +171,7 @@ def _policy_rows(trial: Trial) -> Iterator[Row]:
 def _policy_scores(
     condition: Phases, residence: Residence, rng: np.random.Generator
 ) -> Row:
-    name, probes = condition.learner, _probes(residence)
+    name, probes = condition.learner, probes_of(residence)
     lived = condition.probing.lived
     env = household(residence, STEPS)
     known = references(env, rng)
@@ -294,85 +179,22 @@ def _policy_scores(
         make = specification(name.removeprefix("act:")).make
         assert make is not None  # a learner of the catalog is none of these
         policy = make(env.behaviors, rng)
-        return _row(residence, policy, probes, lived)
+        return row_of(residence, policy, probes, lived)
     reference = known[name]
     if not reference.on_probes:
-        return _about(residence, probes) | {
+        return about(residence, probes) | {
             "greedy": float("nan"),
             "deployed": float("nan"),
-            **_life(residence, reference.choose, lived),
+            **life(residence, reference.choose, lived),
         }
     chosen = [reference.choose(moment) for moment in probes.moments]
     score = probe_score(chosen, probes.moments)
-    return _about(residence, probes) | {
+    return about(residence, probes) | {
         "greedy": score,
         "deployed": score,
-        **_life(residence, reference.choose, lived),
+        **life(residence, reference.choose, lived),
     }
 
-
-def _row(residence: Residence, policy: Policy, probes: ProbeSet, lived: int) -> Row:
-    sights: Sequence[Sight] = probes.moments
-    return _about(residence, probes) | {
-        "greedy": probe_score([policy.greedy(s) for s in sights], probes.moments),
-        "deployed": probe_score([policy.deployed(s) for s in sights], probes.moments),
-        **_life(residence, lambda now: policy.deployed(now.sight()), lived),
-    }
-
-
-def _about(residence: Residence, probes: ProbeSet) -> Row:
-    """Which household it is, and what its probe set is like."""
-    return {
-        "people": residence.group,
-        "home": residence.home,
-        "roles": " ".join(f"{one}-{other}" for one, other in residence.roles),
-        "best_constant": _best_constant(probes),
-        "moments": len(probes.moments),
-        "share": probes.share,
-    }
-
-
-def _life(residence: Residence, choose: Any, steps: int) -> Row:  # noqa: ANN401
-    """What becomes of a policy's own episode; nothing if there is none."""
-    if not steps:
-        return dict.fromkeys(_LIVED)
-    env = household(residence, steps)
-    lived = live(env, choose, residence.words(3)[2])
-    return {
-        "verdicts_per_minute": lived.per_minute,
-        "verdicts_per_bout": lived.per_bout,
-        "caresses_per_minute": lived.caresses / lived.minutes,
-        "taps_per_minute": lived.taps / lived.minutes,
-        "opinion": lived.opinion,
-    }
-
-
-@lru_cache(maxsize=48)
-def _probes(residence: Residence) -> ProbeSet:
-    """The probe set of a household: the same for every seed and every condition.
-
-    What a robot observes is kept as it is asked for (features).
-    """
-    return probe_set(household(residence, STEPS), residence.words(WALKS), STEPS)
-
-
-def _best_constant(probes: ProbeSet) -> float:
-    moments: tuple[Moment, ...] = probes.moments
-    if not moments:
-        return float("nan")
-    n = moments[0].n_behaviors
-    return max(probe_score([each] * len(moments), moments) for each in range(n))
-
-
-_TRAINED = ("trained_touches", "trained_choices", "met")
-
-_LIVED = (
-    "verdicts_per_minute",
-    "verdicts_per_bout",
-    "caresses_per_minute",
-    "taps_per_minute",
-    "opinion",
-)
 
 _SCHEMA: dict[str, Any] = {
     **dict.fromkeys(("people", "roles"), str),
@@ -382,5 +204,5 @@ _SCHEMA: dict[str, Any] = {
     "met": float,
     "choices": int,
     "met_there": float,
-    **dict.fromkeys(_LIVED, float),
+    **dict.fromkeys(LIVED, float),
 }
