@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from household import household_v0
+from household.scenario.persona import Persona
 from household.scenario.scenario import (
     PersonSpec,
     RobotSpec,
@@ -62,7 +63,11 @@ def test_by_default_situations_say_neither(facing_robot):
 
 
 def test_at_the_border_nobody_flickers(facing_robot):
-    env = facing_robot(2.9)
+    """The robot is moved to and fro; she stays where she is, whatever she thinks."""
+    still = Persona(name="still", praise=0.0, sanction=0.0)
+    on_the_phone = ScriptStep(place="phone", duration=(900.0, 900.0))
+    ann = PersonSpec(name="ann", persona=still, script=(on_the_phone,))
+    env = facing_robot(2.9, people=(ann,))
     body, seen = env.simulation.crowd.position[-1], []
     for x in (2.9, 3.1, 2.9, 3.1, 3.6, 3.1):
         body[0] = x
