@@ -2,9 +2,9 @@
 
 For each example, in an environment that has its library, with the folder of examples:
 
-    python -m experiments.docs_tools.libraries learn examples/ppo.py 400000 DATA
+    python -m experiments.docs_tools.libraries learn examples/ppo.py 200000 DATA 0
 
-trains and evaluates, and writes DATA/ppo.json. Then
+trains with seed 0 and evaluates, and writes DATA/ppo_0.json. Then
 
     python -m experiments.docs_tools.libraries page DATA DOCS
 
@@ -42,18 +42,23 @@ REFERENCES = ("random", "best constant", "population", "persona", "lookahead")
 FAMILY, HOUSEHOLDS = "quiet_work", 8
 """What is trained in, and how many other homes of it are evaluated in."""
 
+SEEDS = (0, 1, 2)
+"""Of training."""
+
 PACKAGES = ("torch", "stable-baselines3", "sb3-contrib", "torchrl", "ray", "gymnasium")
 
 SMOOTHED = 5.0
 """Width of the window that curves are averaged over [robot-hours]."""
 
 
-def learned(example: Path, steps: int) -> dict[str, Any]:
+def learned(example: Path, steps: int, seed: int) -> dict[str, Any]:
     """Trains an example and evaluates what it learned in homes that it never saw.
 
     Args:
-        example: The file; its `train` takes steps and returns a policy and a curve.
+        example: The file; its `train` takes steps and a seed, and returns a policy
+            and a curve.
         steps: As the example counts them.
+        seed: Of training.
 
     Returns:
         Plain data: the curve, the scores, and how long it took.
@@ -63,12 +68,13 @@ def learned(example: Path, steps: int) -> dict[str, Any]:
 
     train = runpy.run_path(str(example))["train"]
     begin = time.perf_counter()
-    policy, curve = train(steps)
+    policy, curve = train(steps, seed=seed)
     took = time.perf_counter() - begin
     evaluation = evaluate(policy, FAMILY, HOUSEHOLDS)
     return {
         "format": 1,
         "example": example.stem,
+        "seed": seed,
         "steps": steps,
         "seconds": round(took, 1),
         "versions": _versions(),
@@ -87,11 +93,23 @@ def _versions() -> dict[str, str]:
     return found
 
 
+def read(data: Path) -> list[dict[str, Any]]:
+    """Reads the runs that are stored, by example and seed.
+
+    Args:
+        data: The folder; each example has a run of the first seed at least.
+    """
+    files = [data / f"{name}_{seed}.json" for name in EXAMPLES for seed in SEEDS]
+    first = [file for file in files if file.stem.endswith(f"_{SEEDS[0]}")]
+    there = [file for file in files if file in first or file.exists()]
+    return [json.loads(file.read_text("utf-8")) for file in there]
+
+
 def page(documents: Sequence[Mapping[str, Any]]) -> str:
     """Returns the page.
 
     Args:
-        documents: Of each example, in the order of `EXAMPLES`.
+        documents: From `read`.
     """
     family = documents[0]["family"]
     best = f"always {family['best_constant']}"
@@ -105,6 +123,7 @@ def page(documents: Sequence[Mapping[str, Any]]) -> str:
         documents=documents,
         demand=family["demand"],
         names=EXAMPLES,
+        rows=[_row(name, documents) for name in EXAMPLES],
         scores=family["scores"],
         references=[
             *((n, best if n == "best constant" else n) for n in REFERENCES),
@@ -113,12 +132,34 @@ def page(documents: Sequence[Mapping[str, Any]]) -> str:
         liked=liked,
         dearest=family["scores"][dearest],
         households=HOUSEHOLDS,
-        hours={one["example"]: one["curve"][-1][0] for one in documents},
     )
 
 
+def _row(name: str, documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """What an example comes to: means over its seeds, and each one's probe score."""
+    runs = [one for one in documents if one["example"] == name]
+    scores = [one["family"]["scores"]["policy"] for one in runs]
+
+    def mean(measure: str) -> float:
+        return float(np.mean([score[measure]["value"] for score in scores]))
+
+    return {
+        "example": name,
+        "hours": runs[0]["curve"][-1][0],
+        "minutes": float(np.mean([one["seconds"] for one in runs])) / 60,
+        "versions": runs[0]["versions"],
+        "probes": [score["probe_greedy"]["value"] for score in scores],
+        "over_homes": scores[0]["probe_greedy"],
+        "probe": mean("probe_greedy"),
+        "verdicts": mean("verdicts_per_minute"),
+        "reward": mean("reward_per_minute"),
+        "caresses": mean("caresses_per_minute"),
+        "taps": mean("taps_per_minute"),
+    }
+
+
 def draw_curves(documents: Sequence[Mapping[str, Any]], stem: Path) -> None:
-    """Draws the learning curves of all examples as SVG.
+    """Draws the learning curves of all runs as SVG, those of an example in one color.
 
     Args:
         documents: As for `page`.
@@ -127,10 +168,13 @@ def draw_curves(documents: Sequence[Mapping[str, Any]], stem: Path) -> None:
     from experiments.figures.canvas import DASHES, PALETTE, Column, Panel, save
 
     def draw(axes: Axes) -> None:
-        for one, color, dash in zip(documents, PALETTE, DASHES, strict=True):
-            hours, rewards = smoothed(one["curve"])
-            label = EXAMPLES[one["example"]]
-            axes.plot(hours, rewards, color=color, linestyle=dash, label=label)
+        for name, color, dash in zip(EXAMPLES, PALETTE, DASHES, strict=False):
+            label: str | None = EXAMPLES[name]
+            for one in documents:
+                if one["example"] == name:
+                    hours, rewards = smoothed(one["curve"])
+                    axes.plot(hours, rewards, color=color, linestyle=dash, label=label)
+                    label = None  # The others of this example look the same.
         axes.legend(loc="lower right")
 
     panel = Panel(label="reward a minute", draw=draw, height=3.2)
@@ -157,13 +201,11 @@ def smoothed(curve: Sequence[Sequence[float]]) -> tuple[list[float], list[float]
 if __name__ == "__main__":
     task, *words = sys.argv[1:]
     if task == "learn":
-        file, data = Path(words[0]), Path(words[2])
-        text = json.dumps(learned(file, int(words[1])), indent=1)
-        (data / f"{file.stem}.json").write_text(text + "\n", encoding="utf-8")
+        file, data, seed = Path(words[0]), Path(words[2]), int(words[3])
+        text = json.dumps(learned(file, int(words[1]), seed), indent=1)
+        (data / f"{file.stem}_{seed}.json").write_text(text + "\n", encoding="utf-8")
     else:
         data, docs = map(Path, words)
-        stored = [
-            json.loads((data / f"{name}.json").read_text("utf-8")) for name in EXAMPLES
-        ]
+        stored = read(data)
         draw_curves(stored, docs / "pictures" / "libraries")
         (docs / "libraries.md").write_text(page(stored), encoding="utf-8")
