@@ -1,8 +1,9 @@
 """Under which teachers does each method work?
 
 The people of training teach as usual; those that are probed have other habits of
-feedback, and the robot adapts to them. Kinds are those of B-Pref (Lee et al., 2021:
-mistaken, skipping) and people who praise more than they sanction, as most do.
+feedback, and the robot adapts to them: people who praise more than they sanction, as
+most do, or who tire of it, and the kinds of B-Pref (Lee et al., 2021: mistaken,
+skipping).
 """
 
 from __future__ import annotations
@@ -17,14 +18,14 @@ from experiments.phases.world import World
 
 TEACHERS = {
     "as usual": World(),
-    "praising": World(traits=(("praise", 0.9), ("sanction", 0.2))),
+    **{
+        kind: World(persona=kind)
+        for kind in ("praising", "fading", "mistaken", "skipping", "silent")
+    },
     "punishing": World(persona="punisher"),
-    "silent": World(persona="silent"),
-    "mistaken": World(traits=(("mistakes", 0.2),)),
-    "skipping": World(traits=(("praise", 0.2), ("sanction", 0.35))),
-    "tired of praising": World(traits=(("habituation", 0.9),)),
 }
-"""Kind -> the world in which everybody is so (shares are our choice)."""
+"""Kind -> the world in which everybody is so; each is a shipped persona
+(`docs/people.md`)."""
 
 TOUCHES = (0, 10, 20, 50)
 
@@ -74,7 +75,7 @@ INQUIRY = Inquiry(
         _contrast(
             "Under silent ones, too.", "within hearing, full", "canonical", "silent"
         ),
-        _harm("A fifth of wrong touches harms views.", "mistaken"),
+        _harm("A tenth of wrong touches harms views.", "mistaken"),
         _harm("Praise without sanction teaches views less.", "praising"),
         _harm("Sanction without praise teaches views less.", "punishing"),
     ),
