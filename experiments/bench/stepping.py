@@ -74,10 +74,10 @@ def beside_peers(settings: Settings) -> Iterator[Measurement]:
 def recording(settings: Settings) -> Iterator[Measurement]:
     """Yields what a replay file adds to a step, by the clock and in processor time.
 
-    Rerun writes in a thread of its own while the next steps are made: that takes
-    processor time, but no step waits for it. A repetition lasts until a part of the
-    file is written, so that the processor time contains it; 1000 steps in a repetition
-    stand for the number after which a recorder writes by default.
+    Other threads make columns and write them while the next steps are made. A
+    repetition lasts until they are done, so that both times contain all of it; 1000
+    steps in a repetition stand for the number after which a recorder writes by default,
+    and the writing begins in the middle of a repetition.
     """
     from household.replay.buffer import FLUSH_EVERY
     from household.replay.wrapper import RecordEpisodes
@@ -86,6 +86,8 @@ def recording(settings: Settings) -> Iterator[Measurement]:
     with TemporaryDirectory() as folder:
         recorder = RecordEpisodes(evening(), Path(folder), flush_every=calls)
         plain, recorded = PatientStepping(evening()), PatientStepping(recorder)
+        for _ in range(calls // 2):
+            recorded()
         rounds = [
             _recorded(plain, recorded, recorder.wait, calls)
             for _ in range(1 + settings.repetitions)
@@ -110,26 +112,21 @@ def recording(settings: Settings) -> Iterator[Measurement]:
 def _recorded(
     plain: Stepping, recorded: Stepping, wait: Callable[[], None], calls: int
 ) -> tuple[float, float]:
-    """Returns how many times as long recorded steps take, in short turns.
+    """Returns how many times as long recorded steps take, by the clock and processor.
 
     Args:
         plain: Makes a step that is not recorded.
         recorded: Makes one that is.
         wait: Waits for what still goes on in other threads.
         calls: How many of each.
-
-    Returns:
-        By the clock, without waiting; and in the processor's time, with that.
     """
     spent = np.zeros((2, 2))
-    for _ in range(SHORT_TURNS):
-        for which, step in enumerate((plain, recorded)):
-            begin, busy = time.perf_counter(), time.process_time()
-            for _ in range(calls // SHORT_TURNS):
-                step()
-            spent[which, 0] += time.perf_counter() - begin
-            wait()
-            spent[which, 1] += time.process_time() - busy
+    for which, step in enumerate((plain, recorded)):
+        begin, busy = time.perf_counter(), time.process_time()
+        for _ in range(calls):
+            step()
+        wait()
+        spent[which] = time.perf_counter() - begin, time.process_time() - busy
     clock, processor = (spent[1] / spent[0]).tolist()
     return clock, processor
 
