@@ -1,11 +1,14 @@
-"""The report: one HTML file for people; only films lie beside it."""
+"""The report: one HTML file for people; films and pictures lie beside it."""
 
 from __future__ import annotations
 
+from math import nan
 from pathlib import Path
 from typing import Any
 
 from experiments.analysis.claims import Finding, overall
+from experiments.analysis.statistics import Estimate
+from experiments.paper.quotes import QUOTES
 from experiments.report.format import (
     finding_interval,
     finding_references,
@@ -17,6 +20,7 @@ from experiments.report.format import (
     format_verdict,
     tally,
 )
+from experiments.report.reasons import reasons
 from experiments.report.records import FactorialSummary, Played, Published, Reproduced
 from experiments.running.files import to_json, write_text
 
@@ -42,6 +46,9 @@ def write_report(published: Published, path: Path) -> None:
     environment.filters |= {
         "value": finding_value,
         "interval": finding_interval,
+        "floor": lambda finding: _reference(finding, finding.floor),
+        "ceiling": lambda finding: _reference(finding, finding.ceiling),
+        "reasons": reasons,
         "references": finding_references,
         "remarks": finding_remarks,
         "threshold": finding_threshold,
@@ -117,11 +124,22 @@ def _claims(findings: tuple[Finding, ...]) -> list[dict[str, Any]]:
     claims: dict[str, dict[str, Any]] = {}
     for finding in sorted(findings, key=lambda one: one.claim.id):
         claim = finding.claim
-        entry = {"id": claim.id, "text": claim.text, "reading": claim.reading}
+        entry: dict[str, Any] = {
+            "id": claim.id,
+            "text": claim.text,
+            "reading": claim.reading,
+            "quote": QUOTES.get(claim.id),
+        }
         known = claims.setdefault(claim.id, entry | {"rows": [], "compared": []})
         known["rows"].append((finding, _scale(finding)))
         known["compared"] += _compared(finding)
     return list(claims.values())
+
+
+def _reference(finding: Finding, estimate: Estimate | None) -> str:
+    """Returns what a reference reaches on the measure of a claim."""
+    value = nan if estimate is None else estimate.value
+    return format_number(value, is_share=finding.claim.is_share)
 
 
 def _compared(finding: Finding) -> list[dict[str, str]]:
