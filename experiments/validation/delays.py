@@ -57,6 +57,7 @@ DECLINE = Published(
     **around(0.87 / 1.27),
     source=CHARM,
     reading="Means of the last and the first third of a lesson.",
+    because="Nobody becomes quicker in a lesson.",
 )
 TOUCH = Published(
     name="touches within .2 to 4 s of the judgement",
@@ -66,6 +67,7 @@ TOUCH = Published(
     source=f"{CHARM}; windows of Deep TAMER and CREW",
     reading="From a judgement to the touch itself. At home people have to walk, which "
     "those who were asked for ratings had not.",
+    because="Walks through an apartment take longer than that.",
 )
 
 
