@@ -63,7 +63,7 @@ def test_by_default_situations_say_neither(facing_robot):
 
 
 def test_at_the_border_nobody_flickers(facing_robot):
-    """The robot is moved to and fro; she stays where she is, whatever she thinks."""
+    """The robot is moved back and forth; she stays, whatever she thinks."""
     still = Persona(name="still", praise=0.0, sanction=0.0)
     on_the_phone = ScriptStep(place="phone", duration=(900.0, 900.0))
     ann = PersonSpec(name="ann", persona=still, script=(on_the_phone,))
