@@ -53,7 +53,7 @@ def progress(console: Console, what: str, total: int) -> Iterator[Advance]:
         with _bar(console, what, total) as advance:
             yield advance
     elif total:
-        begin = f"0 of {total} {what}: starting processes, compiling at the first use"
+        begin = f"0 of {total} {what}; the first run compiles, too"
         with pulse(console, begin) as say:
             yield _lines(say, what, total)
     else:

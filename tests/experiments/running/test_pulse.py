@@ -62,5 +62,5 @@ def test_before_the_first_trial_a_log_says_that_compiling_takes_its_time():
         assert log.over.wait(60)
         advance()
     text = log.getvalue()
-    assert "0 of 5 trials: starting processes, compiling at the first use" in text
+    assert "0 of 5 trials; the first run compiles, too" in text
     assert "1 of 5 trials" in text
