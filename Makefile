@@ -6,7 +6,7 @@ BIN := .venv/bin
 
 .PHONY: reproduce test docs clusters oldest lint slow golden clean
 
-reproduce: .venv/installed
+reproduce: .venv/rendering
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
 
 # On all cores, up to eight; a file's tests share what they set up, so they stay together.
@@ -57,6 +57,12 @@ lint: .venv/developing
 .venv/installed: pyproject.toml | .venv/bin/python
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
 	touch $@
+
+# With what films of the typical trials need; pip says what it does.
+.venv/rendering: pyproject.toml | .venv/bin/python
+	@echo "Installing household and what it needs into .venv; some minutes, once"
+	$(BIN)/pip install --disable-pip-version-check --editable '.[render]'
+	touch $@ .venv/installed
 
 .venv/developing: pyproject.toml | .venv/bin/python
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev]'

@@ -59,14 +59,16 @@ class Reproduce:
         from experiments.report.terminal import show
         from experiments.running.engine import open_engine
         from experiments.running.lock import alone_in
+        from experiments.running.pulse import pulse
 
         console = new_console()
-        studies = self._studies(self._chosen())
-        engine = open_engine(self.engine, self.workers)
+        with pulse(console, "Preparing the experiments"):
+            studies = self._studies(self._chosen())
+            engine = open_engine(self.engine, self.workers)
         with alone_in(self.out):
             self._run_missing(console, studies, engine)
-            with console.status("Drawing figures, writing the report, recording"):
-                published = publish(self.out)
+            with pulse(console, "Reading what is stored") as say:
+                published = publish(self.out, say)
         show(console, published)
 
     def _chosen(self) -> tuple[Experiment, ...]:
@@ -138,6 +140,7 @@ class Report:
         from experiments.report.publish import publish
         from experiments.report.terminal import show
         from experiments.running.lock import alone_in
+        from experiments.running.pulse import pulse
 
         if not self.directory.is_dir():
             raise ExperimentError(f"{self.directory}: nothing to report, no directory.")
@@ -146,8 +149,10 @@ class Report:
                 page = write_page(self.directory)
                 new_console().print(str(page), highlight=False, soft_wrap=True)
                 return
-            published = publish(self.directory)
-        show(new_console(), published)
+            console = new_console()
+            with pulse(console, "Reading what is stored") as say:
+                published = publish(self.directory, say)
+        show(console, published)
 
 
 def _number(word: str, kind: str, allowed: Iterable[int]) -> int:

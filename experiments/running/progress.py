@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from experiments.running.pulse import Say, pulse
 from policies.learning import Home, LearningRobot, Observer
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ Advance = Callable[[], None]
 """Says that one more is done."""
 
 _LINES = 10
-"""How many lines a run writes at most where there is no terminal."""
+"""How many lines with a rate a run writes at most where there is no terminal."""
 
 
 class Steps(Observer):
@@ -51,8 +52,12 @@ def progress(console: Console, what: str, total: int) -> Iterator[Advance]:
     if console.is_terminal:
         with _bar(console, what, total) as advance:
             yield advance
+    elif total:
+        begin = f"0 of {total} {what}; the first run compiles, too"
+        with pulse(console, begin) as say:
+            yield _lines(say, what, total)
     else:
-        yield _lines(console, what, total)
+        yield lambda: None
 
 
 @contextmanager
@@ -75,7 +80,7 @@ def _bar(console: Console, what: str, total: int) -> Iterator[Advance]:
     )
     begun = time.monotonic()
     with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("", total=total, rate="")
+        task = bar.add_task("", total=total, rate="starting, compiling")
 
         def advance() -> None:
             bar.advance(task)
@@ -90,7 +95,7 @@ def _since(begun: float) -> float:
     return max(time.monotonic() - begun, 1e-9)
 
 
-def _lines(console: Console, what: str, total: int) -> Advance:
+def _lines(say: Say, what: str, total: int) -> Advance:
     begun = time.monotonic()
     done = 0
 
@@ -100,9 +105,6 @@ def _lines(console: Console, what: str, total: int) -> Advance:
         if done * _LINES // total > (done - 1) * _LINES // total:
             rate = done / _since(begun)
             left = (total - done) / rate
-            console.print(
-                f"{done} of {total} {what}, {rate:.1f}/s, {left:.0f} s left",
-                highlight=False,
-            )
+            say(f"{done} of {total} {what}, {rate:.1f}/s, {left:.0f} s left")
 
     return advance

@@ -2,6 +2,7 @@ import json
 import re
 import shutil
 from html.parser import HTMLParser
+from pathlib import Path
 
 import polars as pl
 import pytest
@@ -10,6 +11,7 @@ from experiments.analysis.claims import overall, verdicts
 from experiments.analysis.evaluation import evaluations
 from experiments.errors import ExperimentError
 from experiments.paper import EXPERIMENTS
+from experiments.paper.quotes import QUOTES
 from experiments.report import publish as publishing
 from experiments.report.publish import publish
 from experiments.report.records import Played
@@ -146,12 +148,12 @@ def page(out):
     return page
 
 
-def test_the_report_needs_no_network_and_no_other_file_but_its_film(out, page):
-    (film,) = page.sources
-    assert (out / film).is_file()
+def test_the_report_needs_no_network_and_no_files_but_films_and_pictures(out, page):
+    assert {Path(one).suffix for one in page.sources} == {".svg", ".mp4"}
+    assert all((out / one).is_file() for one in page.sources)
     html = (out / "report.html").read_text()
     fetched = re.findall(r"(?:src|@import|url\()\s*=?\s*[\"']?(?!#)([^\"')\s]+)", html)
-    assert [target for target in fetched if not target.startswith("#")] == [film]
+    assert [target for target in fetched if not target.startswith("#")] == page.sources
 
 
 def test_the_reports_links_lead_somewhere(out, page):
@@ -176,7 +178,8 @@ def test_the_report_says_each_claim_its_verdict_and_the_configuration(page, publ
     for verdict in overall(published.findings).values():
         assert signs[verdict] in text
     assert "seeds would decide" in text
-    assert "Random, persona" in text
+    assert "A random robot has" in text
+    assert QUOTES["1a"].words in text
     assert '"made": "up"' in text
     assert "Seeds 0 to 3." in text
     for method in ("Cumulative reward", "Frequency of rewards", "Q-table", "opinion"):
