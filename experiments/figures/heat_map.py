@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from experiments.figures.canvas import INK, PALETTE, PAPER
+from experiments.figures.canvas import INK, PAPER
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PALEST, STRONGEST = 0.04, 0.6
-"""How opaque a cell is at 0 and at 1; text stays readable on all."""
+PALEST, STRONGEST = 0.03, 0.38
+"""How opaque a cell is at 0 and at 1; text stays readable on all. Cells are gray, as
+colors belong to behaviors, touches and conditions."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,7 +59,7 @@ class HeatMap:
                 alpha = PALEST + (STRONGEST - PALEST) * min(max(spot.shade, 0.0), 1.0)
                 corner = (x - 0.5, y - 0.5)
                 axes.add_patch(
-                    Rectangle(corner, 1, 1, facecolor=PALETTE[1], alpha=alpha, lw=0)
+                    Rectangle(corner, 1, 1, facecolor=INK, alpha=alpha, lw=0)
                 )
                 axes.add_patch(
                     Rectangle(corner, 1, 1, fill=False, edgecolor=PAPER, lw=1.5)

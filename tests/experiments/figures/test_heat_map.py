@@ -36,5 +36,5 @@ def test_in_a_page_it_keeps_its_levels_and_takes_the_colors_of_the_page(chart):
     panel = Panel(label="up", draw=chart.draw, height=chart.height)
     column = Column(title="map", panels=(panel,), across="across", is_scale=False)
     (svg,) = inline((column,), "map")
-    assert "var(--series-1)" in svg
-    assert "#0072b2" not in svg
+    assert "fill: var(--ink)" in svg
+    assert "#1b1f24" not in svg
