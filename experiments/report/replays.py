@@ -60,7 +60,7 @@ def play(number: int, seed: int, out: Path) -> Played:
             page.unlink(missing_ok=True)
     shown = film if film.exists() else None
     if not page.exists():
-        title = f"Experiment {number}, {experiment.title.lower()}: seed {seed}"
+        title = f"Experiment {number}: {experiment.title}, seed {seed}"
         write_page(recording, page, title, shown)
     return Played(recording=recording, page=page, film=shown, picture=picture)
 

@@ -27,7 +27,7 @@ def no_films(monkeypatch):
 def test_a_typical_trial_is_a_recording_a_page_and_a_picture(out):
     played = play(1, 2, out)
     assert len(read_replay(played.recording)) > 1000
-    assert "Experiment 1, standard q-learning: seed 2" in played.page.read_text()
+    assert "Experiment 1: Standard Q-learning, seed 2" in played.page.read_text()
     assert played.picture.read_text().startswith("<?xml")
     assert played.film is None
     names = {path.name for path in (out / "replays").iterdir()}
