@@ -55,7 +55,7 @@ def page(documents: Mapping[str, Sequence[Mapping[str, Any]]]) -> str:
             name: max(one["greedy"]["n"] for one in found.values())
             for name, found in studies.items()
         },
-        best=best[0].upper() + best[1:],
+        best=best,
         best_8=number(actors[best, "8"]["greedy"]["value"]),
         best_12=number(actors[best, "12"]["greedy"]["value"]),
         ahead_8=number(ahead["8"]),

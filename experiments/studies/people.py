@@ -23,8 +23,8 @@ EXPLORATION: Mapping[str, Any] = {"name": "upper_confidence", "width": 0.3}
 seeds 1000 to 1005 among softmax (.05, .2, .5), epsilon-greedy (.1, .3) and upper
 confidence (.3, .7): best for views within hearing; the others hardly depend on it. The
 nested views, which came later, did better with .6 on seeds 1000 to 1039 (8 people: .70
-instead of .63), and worse on the seeds of the study (.60 [.51, .69] instead of .73
-[.64, .79]; 12 people: .74 and .73): how wide is best is open."""
+instead of .63). Since people take time to react, they do not (seeds 1000 to 1019: .66
+with .3, .62 with .6 and with 1)."""
 
 LEARNERS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
     "whole situation": ("designated", {"representation": "named"}),
