@@ -37,11 +37,13 @@ oldest:
 slow: .venv/developing
 	$(BIN)/pytest -m slow
 
-# Renews what histories, learners and portraits of people come to, when behavior has
-# changed on purpose.
+# Renews what histories, learners, portraits of people, references and the programs of
+# pages come to, when behavior has changed on purpose; takes some minutes.
 golden: .venv/developing
 	$(BIN)/python -m tests.golden
 	$(BIN)/python -m experiments.docs_tools.portraits docs/people.md
+	$(BIN)/python -m experiments.docs_tools.home_scores docs/scores/scenarios.json
+	$(BIN)/python -m experiments.docs_tools.outputs README.md docs/tutorials/*.md
 
 lint: .venv/developing
 	$(BIN)/ruff check .
