@@ -42,7 +42,7 @@ env = household_v0.parallel_env(
 env.reset(seed=7)
 touches = []
 while env.agents:
-    env.step({"robot_0": env.behaviors.index("play")})
+    env.step({"robot_0": env.behaviors.index("bark")})
     touches += env.feedback("robot_0")
 print(*touches, sep="\n")
 print(env.situation("robot_0"))
