@@ -25,9 +25,10 @@ def test_a_page_names_the_people_whom_the_seeds_draw(page):
 
 
 def test_a_page_has_the_scores_of_its_family_alone(page):
-    stored = SUITE.read_text("utf-8")
-    assert "| always sleep | 0.24 | 0.06, 0.42 | -1.51 | 0.12 |" in page
-    assert "| phone | random |" in stored
+    stored = SUITE.read_text("utf-8").partition("| phone | random |")[2]
+    best_constant = stored.splitlines()[1].removeprefix("|  ")
+    assert best_constant.startswith("| always ")
+    assert best_constant in page
     assert page.count("| lookahead |") == 1
 
 
