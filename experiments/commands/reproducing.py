@@ -62,9 +62,9 @@ class Reproduce:
         from experiments.running.pulse import pulse
 
         console = new_console()
+        chosen, engine = self._chosen(), open_engine(self.engine, self.workers)
         with pulse(console, "Preparing the experiments"):
-            studies = self._studies(self._chosen())
-            engine = open_engine(self.engine, self.workers)
+            studies = self._studies(chosen)
         with alone_in(self.out):
             self._run_missing(console, studies, engine)
             with pulse(console, "Reading what is stored") as say:

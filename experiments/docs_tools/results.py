@@ -71,8 +71,12 @@ def _verdicts(findings: Sequence[Finding]) -> dict[str, str]:
 def _tally(findings: Sequence[Finding]) -> str:
     counted = Counter(_verdicts(findings).values())
     total = sum(counted.values())
-    said = f"{counted[HOLDS]} of {total} claims hold, {counted[FAILS]} fail"
-    return f"{said}, {counted[UNDECIDED]} are undecided" if counted[UNDECIDED] else said
+    said = [f"{counted[HOLDS]} of {total} claims hold"]
+    if n := counted[FAILS]:
+        said.append(f"{n} fails" if n == 1 else f"{n} fail")
+    if n := counted[UNDECIDED]:
+        said.append(f"{n} is undecided" if n == 1 else f"{n} are undecided")
+    return ", ".join(said)
 
 
 def _row(one: Finding) -> dict[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from functools import partial
-from types import FunctionType
+from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -164,10 +164,13 @@ def describe_condition(condition: Condition) -> dict[str, Any]:
 def describe(record: object) -> object:
     """Returns a settings record as plain data: its type and what it was made with.
 
-    A function is described by its name, and by the arguments that it is bound to.
+    A function is described by its name, and by the arguments that it is bound to; a
+    method by its name alone.
     """
     if isinstance(record, (partial, FunctionType)):
         return _describe_function(record)
+    if isinstance(record, MethodType):  # What it belongs to is made anew each time.
+        return {"method": record.__qualname__}
     if dataclasses.is_dataclass(record) and not isinstance(record, type):
         settings = {
             field.name: describe(getattr(record, field.name))

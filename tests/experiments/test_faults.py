@@ -371,6 +371,7 @@ def test_after_kill_9_of_a_training_the_same_command_gives_the_same(tmp_path):
     process = subprocess.Popen(
         [*command, str(tmp_path / "killed")], stdout=subprocess.PIPE, text=True
     )
+    assert process.stdout.readline().startswith("0 of 1500")
     assert process.stdout.readline().startswith("150 of 1500")
     process.kill()
     process.communicate()

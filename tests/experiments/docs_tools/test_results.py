@@ -46,7 +46,7 @@ def findings():
 
 
 def test_a_claim_fails_if_it_fails_in_any_condition(findings):
-    assert "2 of 4 claims hold, 1 fail, 1 are undecided" in page(findings)
+    assert "2 of 4 claims hold, 1 fails, 1 is undecided" in page(findings)
 
 
 def test_each_claim_and_condition_is_a_row_with_its_verdict(findings):
@@ -59,7 +59,7 @@ def test_each_claim_and_condition_is_a_row_with_its_verdict(findings):
 
 
 def test_our_own_claims_are_counted_apart(findings):
-    assert "0 of 1 claims hold, 1 fail" in page(findings)
+    assert "0 of 1 claims hold, 1 fails" in page(findings)
     assert "| 6a | Claim 6a. | social | 2.50 | 2.40 to 2.60 |" in page(findings)
     assert "A sixth experiment" not in page(findings[:-1])
 
