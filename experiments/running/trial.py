@@ -167,10 +167,8 @@ def describe(record: object) -> object:
     A function is described by its name, and by the arguments that it is bound to; a
     method by its name alone.
     """
-    if isinstance(record, (partial, FunctionType)):
+    if isinstance(record, (partial, FunctionType, MethodType)):
         return _describe_function(record)
-    if isinstance(record, MethodType):  # What it belongs to is made anew each time.
-        return {"method": record.__qualname__}
     if dataclasses.is_dataclass(record) and not isinstance(record, type):
         settings = {
             field.name: describe(getattr(record, field.name))
@@ -199,7 +197,11 @@ def _is_as_before(field: dataclasses.Field[Any], value: object) -> bool:
     return bool(value == field.default_factory())
 
 
-def _describe_function(function: partial[Any] | FunctionType) -> dict[str, object]:
+def _describe_function(
+    function: partial[Any] | FunctionType | MethodType,
+) -> dict[str, object]:
+    if isinstance(function, MethodType):  # What it belongs to is made anew each time.
+        return {"method": function.__qualname__}
     if isinstance(function, FunctionType):
         return {"function": function.__name__}
     bound = {name: describe(value) for name, value in function.keywords.items()}
