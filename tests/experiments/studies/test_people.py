@@ -80,5 +80,5 @@ def test_the_page_says_which_learner_comes_out_best():
             for name, factor in FACTORS.items()
         }
     )
-    assert "Views comes out best" in text
+    assert "views comes out best" in text
     assert "0.70 and 0.70" in text
