@@ -3,7 +3,7 @@
 The people of training teach as usual; those that are probed have other habits of
 feedback, and the robot adapts to them: people who praise more than they sanction, as
 most do, or who tire of it, and the kinds of B-Pref (Lee et al., 2021: mistaken,
-skipping).
+skipping, noisy, myopic).
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ TEACHERS = {
     "as usual": World(),
     **{
         kind: World(persona=kind)
-        for kind in ("praising", "fading", "mistaken", "skipping", "silent")
+        for kind in (
+            *("praising", "fading", "silent"),
+            *("mistaken", "skipping", "noisy", "myopic"),
+        )
     },
     "punishing": World(persona="punisher"),
 }
@@ -76,6 +79,8 @@ INQUIRY = Inquiry(
             "Under silent ones, too.", "within hearing, full", "canonical", "silent"
         ),
         _harm("A tenth of wrong touches harms views.", "mistaken"),
+        _harm("Faint feelings told the wrong way round harm views.", "noisy"),
+        _harm("Touches for what was done last harm views.", "myopic"),
         _harm("Praise without sanction teaches views less.", "praising"),
         _harm("Sanction without praise teaches views less.", "punishing"),
     ),

@@ -23,12 +23,12 @@ from household.scenario.persona import load_persona
 OWN = "own"
 """The experiment's own people."""
 
-TEACHERS = (OWN, "praising", "fading", "mistaken", "skipping")
+TEACHERS = (OWN, "praising", "fading", "mistaken", "skipping", "noisy", "myopic")
 """Whose feedback people give."""
 
 FEEDBACK = (
     *("praise", "sanction", "habituation", "recovery", "contrast"),
-    *("tolerance", "mistakes", "irritability"),
+    *("tolerance", "mistakes", "doubt", "myopia", "irritability"),
 )
 """What makes a teacher, of all that makes a persona."""
 

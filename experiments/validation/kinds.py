@@ -15,7 +15,10 @@ from experiments.validation.teaching import ALWAYS_RIGHT, GOOD, MIXED, lesson
 
 CHARM = "CHARM (arXiv 2506.13079), 46 people"
 
-TEACHERS = ("paper_actor", "praising", "fading", "mistaken", "skipping")
+TEACHERS = (
+    *("paper_actor", "praising", "fading"),
+    *("mistaken", "skipping", "noisy", "myopic"),
+)
 """The populations of teachers that are shipped (docs/people.md)."""
 
 READY = (
@@ -78,6 +81,14 @@ MISTAKES = Published(
     source="B-Pref (Lee et al. 2021), a simulated teacher",
     reading="Caresses for what annoyed and taps for what pleased.",
 )
+DOUBTS = Published(
+    name="wrong touches for strong feelings",
+    unit="share",
+    said=".12 = 1 / (1 + exp(2))",
+    **around(0.12),
+    source="B-Pref (Lee et al. 2021), a simulated teacher of rationality 1",
+    reading="Of the touches for what pleased or annoyed nearly fully.",
+)
 FADES = Published(
     name="praise at the end by that at the beginning",
     unit="ratio",
@@ -121,12 +132,18 @@ def silence(diary: Diary) -> float:
     return _mean(np.array(silent, dtype=float))
 
 
-def mistakes(diary: Diary) -> float:
-    """Share of touches whose kind is not that of the judgement they answer."""
+def mistakes(diary: Diary, at_least: float = 0.0) -> float:
+    """Share of touches whose kind is not that of the judgement they answer.
+
+    Args:
+        diary: What was given.
+        at_least: Only touches of this strength or more are counted.
+    """
     thought = {(one.person, one.robot, one.bout): one.value for one in diary.judgements}
     wrong = [
         (one.kind == "caress") != (thought[one.person, one.robot, one.bout] > 0.0)
         for one in diary.touches
+        if one.strength >= at_least
     ]
     return _mean(np.array(wrong, dtype=float))
 
@@ -174,6 +191,7 @@ def watch(teacher: str, seed: int) -> Measured:
         SILENCE.name: silence(poor),
         SKIPS.name: silence(poor),
         MISTAKES.name: mistakes(poor),
+        DOUBTS.name: mistakes(poor, STRONG),
         FADES.name: praise_left(perfect),
         STRONG_TAPS.name: strong_taps_gained(poor),
     }
@@ -182,7 +200,7 @@ def watch(teacher: str, seed: int) -> Measured:
 USUAL = (PRAISE_GOOD, PRAISE_POOR, RATIO, SILENCE, FADES, STRONG_TAPS)
 """What every teacher is held against."""
 
-OWN = {"mistaken": (MISTAKES,), "skipping": (SKIPS,)}
+OWN = {"mistaken": (MISTAKES,), "skipping": (SKIPS,), "noisy": (DOUBTS,)}
 """What a simulated teacher of the field is held against beside that."""
 
 SCENES = tuple(

@@ -45,6 +45,14 @@ class Persona(Record, frozen=True, kw_only=True):
             and between strong and weak ratings (0.2).
         patience: How long it tries to reach a robot before it gives up [s].
         mistakes: Chance that a touch comes out as the opposite of what was meant.
+        doubt: How untruly touches tell faint feelings: for a bout valued at v, a touch
+            is the opposite of what was meant with chance 1 / (1 + exp(2 abs(v) /
+            doubt)); 0: never. It is 1 / rationality of the stochastic teacher of B-Pref
+            (Lee et al. 2021).
+        myopia: Weight of what the robot did last against what made the person set
+            out, in [0, 1]: where the product of it and the newer feeling is the
+            larger, the touch is about the newer bout (after B-Pref's myopic
+            teacher).
         only_when_attending: Judges only what goes on while it attends to the robot,
             and gives feedback for nothing else (the actors of experiments 1 and 2).
         irritability: How far a bad mood raises the chance to sanction.
@@ -79,6 +87,8 @@ class Persona(Record, frozen=True, kw_only=True):
     reaction_spread: Annotated[float, msgspec.Meta(ge=0, le=3)] = 0.48
     patience: Seconds = 20.0
     mistakes: Share = 0.0
+    doubt: Annotated[float, msgspec.Meta(ge=0, le=100)] = 0.0
+    myopia: Share = 0.0
     only_when_attending: bool = False
     irritability: Share = 0.3
     mood_change: Share = 0.2

@@ -64,7 +64,8 @@ class FeedbackGiving(Stateful):
     Between the judgement and the moment at which a person sets about it lies its
     reaction time (docs/deviations.md). As people decide once in a period, it is rounded
     to whole periods. One thing is on a person's mind at a time: what it judges before
-    it has reacted and touched leads to nothing.
+    it has reacted and touched leads to nothing; but who is myopic touches the same
+    robot for what that did last.
 
     Args:
         personas: Of each person; hold every constant.
@@ -178,18 +179,52 @@ def _consider(
             liked, robot = appraisals.value[i, r], appraisals.believed[i, r]
             ready = chance < _readiness(liked, condition.mood[i], fresh[robot], persona)
             fresh[robot] = _used_to(fresh[robot], liked, persona)
-            if ready and not due[i] and target[i] == NOBODY:
-                struck[i] = due[i] = True
+            minded = due[i] or target[i] != NOBODY
+            again = minded and _turns_to(state, i, robot, liked, persona)
+            if again or (ready and not minded):
+                struck[i] = True
+                changed[i] |= target[i] != NOBODY
                 state.meant[i], state.about[i] = robot, r
                 state.strength[i] = abs(liked)
-                state.praises[i] = (liked > 0.0) != (slip < persona["mistakes"])
-                left[i] = _reaction(abs(liked), draws[i, -DELAY_DRAWS:], persona)
+                state.praises[i] = (liked > 0.0) != (slip < _wrong(liked, persona))
+                soon = _reaction(abs(liked), draws[i, -DELAY_DRAWS:], persona)
+                left[i] = left[i] if minded else soon
+                due[i] |= not minded
         # At the nearest decision, so that reactions are not later on average.
         if due[i] and left[i] < period / 2:
             target[i], waited[i], due[i] = state.meant[i], 0.0, False
             changed[i] = True
         anybody |= changed[i] or struck[i]
     return anybody
+
+
+@compiled
+def _turns_to(
+    state: FeedbackState, i: int, robot: int, value: float, persona: np.void
+) -> bool:
+    """Whether what a robot just did replaces what a person has a touch in mind for.
+
+    Args:
+        state: What everybody has in mind.
+        i: Index of the person.
+        robot: Index of the robot that did it.
+        value: What the person thinks of that, in [-1, 1].
+        persona: Its row of the traits.
+    """
+    newer = robot == state.meant[i] and not state.struck[i]
+    myopia = persona["myopia"]
+    return newer and myopia * abs(value) > (1.0 - myopia) * state.strength[i]
+
+
+@compiled
+def _wrong(value: float, persona: np.void) -> float:
+    """Chance that a touch says the opposite of what a person thinks of a bout."""
+    mistakes, doubt = persona["mistakes"], persona["doubt"]
+    if doubt == 0.0:
+        return mistakes
+    # Beyond 700 the power is more than a number can hold.
+    by_doubt = 1.0 / (1.0 + math.exp(min(2.0 * abs(value) / doubt, 700.0)))
+    return mistakes + (1.0 - 2.0 * mistakes) * by_doubt
 
 
 @compiled

@@ -137,11 +137,11 @@ from household.household_v0 import make_minds
 def minds(scenario):
     return make_minds(scenario)
 
-envs = vector.make("evening", homes=3, workers=2, seed=1, make_minds=minds)
+envs = vector.make("evening", homes=2, workers=1, seed=1, make_minds=minds)
 envs.reset()
 print("ready", flush=True)
 while True:
-    envs.step(np.zeros(6, int))
+    envs.step(np.zeros(4, int))
     {then}
 """
 
@@ -171,7 +171,7 @@ def test_no_worker_outlives_its_parent(how, then, tmp_path):
     workers = set()
     try:
         assert within(
-            60, lambda: len(workers.update(children(parent.pid)) or workers) == 2
+            60, lambda: len(workers.update(children(parent.pid)) or workers) == 1
         )
         assert parent.stdout.readline() == "ready\n"
         if how == signal.SIGINT:

@@ -112,10 +112,66 @@ CARESS, TAP = ("caress", 0), ("tap", 0)
         ({}, [percept(bout(-1.0, attending=False))], [TAP]),
         ({"mistakes": 1.0}, [percept(bout(-1.0))], [CARESS]),
         ({"mistakes": 1.0}, [percept(bout(1.0))], [TAP]),
+        # Who is myopic touches for what the robot did last, whatever it came for ...
+        ({"myopia": 0.9}, [percept(bout(-1.0)), percept(bout(0.2))], [TAP, CARESS]),
+        # ... unless that is hardly worth it, or another robot did it.
+        ({"myopia": 0.9}, [percept(bout(-1.0)), percept(bout(0.1))], [TAP, TAP]),
+        (
+            {"myopia": 0.9},
+            [percept(bout(-1.0)), percept(bout(1.0, robot=1))],
+            [TAP, TAP],
+        ),
+        ({"myopia": 0.9}, [percept(bout(1.0)), DONE, NOTHING], [CARESS, None, None]),
     ],
 )
 def test_what_is_perceived_makes_what_is_wished(wishes, traits, perceived, expected):
     assert wishes(certain(**traits), perceived) == expected
+
+
+def test_a_myopic_touch_is_as_strong_as_the_last_appraisal_and_about_that_bout(
+    percepts,
+):
+    person = FeedbackGiving([certain(myopia=0.9)], 2, [np.random.default_rng(0)])
+    person.consider(percepts(1, 2, bouts=((-1.0, 0, True),), time=12.0))
+    person.consider(percepts(1, 2, bouts=((0.5, 0, True),), time=15.0))
+    (wish,) = person.wishes
+    assert (wish.kind, wish.strength, wish.cause.time) == ("caress", 0.5, 15.0)
+    assert person.changed.tolist() == [True]
+
+
+def test_what_comes_to_mind_before_a_myopic_person_has_reacted_counts(percepts):
+    slow = certain(myopia=0.9, reaction=60.0, haste=0.0, reaction_spread=0.0)
+    person = FeedbackGiving([slow], 1, [np.random.default_rng(0)])
+    wished = []
+    for value in (-1.0, 1.0, *[0.0] * 59):
+        bouts = ((value, 0, True),) if value else ()
+        person.consider(percepts(1, 1, bouts=bouts))
+        wished.append(person.wishes[0] and person.wishes[0].kind)
+    assert wished == [None] * 60 + ["caress"]
+
+
+@pytest.mark.parametrize(
+    ("mistakes", "doubt", "value", "wrong"),
+    [
+        (0.2, 0.0, -1.0, 0.2),
+        (0.0, 1.0, 1.0, 1 / (1 + math.exp(2))),
+        (0.0, 1.0, 0.2, 1 / (1 + math.exp(0.4))),
+        (0.0, 0.5, -0.5, 1 / (1 + math.exp(2))),
+        (0.0, 1e-9, -0.1, 0.0),
+        # Both at once is right again.
+        (0.3, 1.0, 1.0, 0.3 + 0.4 / (1 + math.exp(2))),
+    ],
+)
+def test_touches_are_wrong_by_mistake_and_the_fainter_the_more_by_doubt(
+    percepts, mistakes, doubt, value, wrong
+):
+    sure = {"praise": 1e9, "sanction": 1e9}  # whatever is felt is told
+    persona = certain(mistakes=mistakes, doubt=doubt, **sure)
+    rngs = [np.random.default_rng(seed) for seed in range(LIVES)]
+    people = FeedbackGiving([persona] * LIVES, 1, rngs)
+    people.consider(percepts(LIVES, 1, bouts=(bout(value),)))
+    told = [wish.kind == "caress" for wish in people.wishes]
+    assert np.mean(np.array(told) != (value > 0.0)) == chance(wrong)
 
 
 def test_a_wish_is_as_strong_as_the_appraisal_and_carries_its_cause(percepts):
@@ -149,9 +205,10 @@ def delays(percepts, persona, value=-1.0, period=1.0, most=200):
     rngs = [np.random.default_rng(seed) for seed in range(LIVES)]
     people = FeedbackGiving([persona] * LIVES, 1, rngs)
     taken = np.full(LIVES, np.nan)
+    appraised = percepts(LIVES, 1, bouts=(bout(value),), period=period)
+    calm = percepts(LIVES, 1, period=period)
     for k in range(most):
-        bouts = () if k else (bout(value),)
-        people.consider(percepts(LIVES, 1, bouts=bouts, period=period))
+        people.consider(calm if k else appraised)
         taken[people.changed & np.isnan(taken)] = k * period
     return taken
 
@@ -311,13 +368,6 @@ def test_moods_do_not_change_praise(share):
     persona = certain(praise=0.4, irritability=1.0)
     for mood in (-1.0, 1.0):
         assert share(persona, [], percept(bout(1.0), mood=mood)) == chance(0.4)
-
-
-def test_mistakes_come_at_their_rate(wishes):
-    fault = percept(bout(-1.0))
-    kinds = [wishes(certain(mistakes=0.2), [fault], seed)[0] for seed in range(LIVES)]
-    assert kinds.count(CARESS) / LIVES == chance(0.2)
-    assert kinds.count(CARESS) + kinds.count(TAP) == LIVES
 
 
 def test_sanction_outweighs_praise_by_default(share):
