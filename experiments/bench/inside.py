@@ -45,8 +45,7 @@ def physics(settings: Settings) -> Iterator[Measurement]:
         step()
     loops, steps, walks = list[float](), list[float](), list[float]()
     for _ in range(settings.repetitions):
-        # The median, since other work on the machine may interrupt a few.
-        loops.append(statistics.median(walk() for _ in range(settings.steps)))
+        loops.append(_in_a_loop(walk, settings))
         each = [(_timed_step(step), walk()) for _ in range(settings.steps)]
         in_steps, in_walks = zip(*each, strict=True)
         steps.append(sum(in_steps) / settings.steps)
@@ -72,6 +71,20 @@ def physics(settings: Settings) -> Iterator[Measurement]:
         values=ratios(steps, loops),
         at_most=3.0,
     )
+
+
+def ten_ticks(settings: Settings) -> list[float]:
+    """Times ten ticks of the engine in which six bodies walk, in a loop [s].
+
+    The unit of the budgets, which follows the speed of the machine.
+    """
+    walk = _walk(evening())
+    return [_in_a_loop(walk, settings) for _ in range(settings.repetitions)]
+
+
+def _in_a_loop(walk: Callable[[], float], settings: Settings) -> float:
+    # The median, since other work on the machine may interrupt a few.
+    return statistics.median(walk() for _ in range(settings.steps))
 
 
 def _timed_step(step: Stepping) -> float:
