@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 DRAWS = 64
 """Settings that each learner is tried with."""
 
-SEEDS = 5
+SEEDS = 3
 
 RULES = {
     "softmax": ("temperature", 0.01, 1.0),
