@@ -82,7 +82,6 @@ INQUIRY = Inquiry(
         _harm("Faint feelings told the wrong way round harm views.", "noisy"),
         _harm("Touches for what was done last harm views.", "myopic"),
         _harm("Praise without sanction teaches views less.", "praising"),
-        _harm("Sanction without praise teaches views less.", "punishing"),
     ),
     draw=lambda frame: curves(
         frame, "touches", "teacher", label="touches from these teachers"
