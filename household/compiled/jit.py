@@ -2,6 +2,7 @@
 
 import inspect
 import os
+import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache, partial
@@ -106,8 +107,7 @@ def bind(function: Callable[..., R], *first: object) -> Callable[..., R]:
     parameters = parameters_of(function)
     bound: Callable[..., R] = partial(function, *first)
     if hasattr(function, "compile"):  # Not with NUMBA_DISABLE_JIT.
-        with PATIENCE.waiting():
-            bound = _bound(function, parameters, first)
+        bound = _bound(function, parameters, first)
     if os.environ.get(CHECKED) != "1":
         return bound
     return _checked(bound, function.__name__, parameters, first)
@@ -122,14 +122,34 @@ def _bound(
     given = list(parameters.values())[len(first) :]
     kinds = tuple(map(kind_of, given))
     if not first:
-        return cast("Callable[..., Any]", function.compile(kinds))
+        return compile_for(function, kinds)
     packed, words = Packed(tuple(map(typeof, first))), words_of(first)
     entry = _entry(function, tuple(parameters), len(first))
-    bound = partial(entry.compile((packed, *kinds)), words.ctypes.data)
+    bound = partial(compile_for(entry, (packed, *kinds)), words.ctypes.data)
     # The block and the arrays that it points to live as long as this function does; a
     # copy would share them unseen, so there is none: a memory view cannot be copied.
     bound.kept = words.data, first  # type: ignore[attr-defined]
     return bound
+
+
+def compile_for(
+    function: Any,  # noqa: ANN401 - a dispatcher of Numba, which is not annotated
+    kinds: tuple[Any, ...],
+) -> Callable[..., Any]:
+    """A compiled function for arguments of these kinds, from disk if it is there.
+
+    Whoever waits for the compiler is told so.
+    """
+    begin, before = time.perf_counter(), _n_compiled(function)
+    found = function.compile(kinds)
+    if _n_compiled(function) > before:
+        PATIENCE.add(time.perf_counter() - begin)
+    return cast("Callable[..., Any]", found)
+
+
+def _n_compiled(function: Any) -> int:  # noqa: ANN401
+    """How many versions of a function were compiled here and not read from disk."""
+    return len(function.overloads) - sum(function.stats.cache_hits.values())
 
 
 @lru_cache

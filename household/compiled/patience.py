@@ -1,12 +1,6 @@
 """Patience: who waits for the compiler at first use is told why, once, in one line."""
 
 import sys
-import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-
-SHORT = 0.1
-"""What takes no longer was compiled before, and only read from disk [s]."""
 
 ENOUGH = 1.0
 """Time in the compiler after which it is told that there is more to come [s]."""
@@ -28,17 +22,8 @@ class Patience:
         self.waited = 0.0
         self._told = False
 
-    @contextmanager
-    def waiting(self) -> Iterator[None]:
-        """While something is compiled, or read from disk if it was before."""
-        begin = time.perf_counter()
-        yield
-        self.add(time.perf_counter() - begin)
-
     def add(self, took: float) -> None:
-        """Adds what one function took [s]."""
-        if took <= SHORT:
-            return
+        """Adds what the compiler took for one function [s]."""
         self.waited += took
         if self.waited > ENOUGH and not self._told:
             self._told = True

@@ -1,26 +1,50 @@
 """Who waits for the compiler is told so, once, and only if the wait is long."""
 
+import importlib
 import os
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+from numba import float64
 
 import household
-from household.compiled.patience import ENOUGH, NOTICE, SHORT, Patience
+from household.compiled import jit
+from household.compiled.patience import ENOUGH, NOTICE, PATIENCE, Patience
 
 ROOT = Path(household.__file__).parents[1]
 
 
-def test_what_is_read_from_disk_is_no_wait(capsys):
-    patience = Patience()
-    for _ in range(1000):
-        patience.add(SHORT / 2)
-    assert patience.waited == 0.0
-    assert capsys.readouterr().err == ""
+@pytest.fixture
+def took(monkeypatch):
+    """What waiting for the compiler is counted as, a list [s]."""
+    waits = []
+    monkeypatch.setattr(PATIENCE, "add", waits.append)
+    return waits
+
+
+def of_a_float(function):
+    """A function as another process finds it: nothing of it was compiled here yet."""
+    return jit.compile_for(jit.compiled(function.py_func), (float64,))
+
+
+def test_what_is_compiled_is_a_wait_once_and_what_is_read_from_disk_is_none(
+    took, tmp_path, monkeypatch
+):
+    (tmp_path / "doubling.py").write_text(
+        "from household.compiled.jit import compiled\n\n"
+        "@compiled\ndef double(x):\n    return 2.0 * x\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    double = importlib.import_module("doubling").double
+    assert jit.compile_for(double, (float64,))(4.0) == 8.0
+    assert len(took) == 1
+    assert took[0] > 0.0
+    jit.compile_for(double, (float64,))  # known here already
+    assert of_a_float(double)(4.0) == 8.0  # known on disk
+    assert len(took) == 1
 
 
 def test_a_long_wait_is_told_once_and_a_short_one_never(capsys):
@@ -31,15 +55,6 @@ def test_a_long_wait_is_told_once_and_a_short_one_never(capsys):
         patience.add(ENOUGH)
     assert capsys.readouterr().err == f"{NOTICE}\n"
     assert patience.waited == 4 * ENOUGH
-
-
-def test_the_wait_lasts_as_long_as_something_is_compiled(monkeypatch):
-    clock = iter((5.0, 5.75))
-    monkeypatch.setattr(time, "perf_counter", lambda: next(clock))
-    patience = Patience()
-    with patience.waiting():
-        pass
-    assert patience.waited == 0.75
 
 
 @pytest.mark.slow
