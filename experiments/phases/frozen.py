@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
-from typing import TYPE_CHECKING, Any, cast
-
-import numpy as np
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from experiments.phases.seeing import Slotted, observes
 from experiments.scoring.moments import Sight
 from experiments.scoring.policies import Policy, of_learner, of_robots
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from household.environment import Household
     from learners.learner import Learner
     from policies.learning import LearningRobot
@@ -25,7 +25,7 @@ def policy_of(
         {
             agent: _looking(robot.learner, env)
             if observes(robot.learner)
-            else of_learner(cast("Learner", _Remembering(robot.learner)), rng)
+            else of_learner(robot.learner, rng)
             for agent, robot in robots.items()
         }
     )
@@ -43,26 +43,3 @@ def _looking(learner: Learner, env: Household) -> Policy:
         return learner.act(slotted.seen(sight.situation, sight.observation))
 
     return Policy(greedy=greedy, deployed=deployed)
-
-
-class _Remembering:
-    """A learner that no longer learns, and is asked for each situation only once."""
-
-    def __init__(self, learner: Learner) -> None:
-        self._learner = learner
-        self._values: dict[Hashable, Any] = {}
-        self._estimates: dict[Hashable, Any] = {}
-        self.act = learner.act
-        self.exploration = getattr(learner, "exploration", None)
-
-    def q_values(self, state: Hashable) -> Any:  # noqa: ANN401 - as the learner's
-        """Its values, remembered."""
-        if state not in self._values:
-            self._values[state] = self._learner.q_values(state)
-        return self._values[state]
-
-    def estimates(self, state: Hashable) -> Any:  # noqa: ANN401 - as the learner's
-        """Its estimates, remembered."""
-        if state not in self._estimates:
-            self._estimates[state] = self._learner.estimates(state)  # type: ignore[attr-defined]
-        return self._estimates[state]

@@ -9,7 +9,7 @@ from typing import Any
 from experiments.phases.world import Residence, household
 from experiments.scoring.moments import Moment, ProbeSet, Sight, probe_set
 from experiments.scoring.policies import Policy
-from experiments.scoring.scores import live, probe_score
+from experiments.scoring.scores import Choose, live, probe_score
 
 WALKS, STEPS = 2, 900
 """Reference walks that a probe set is drawn from, and their length [steps]."""
@@ -55,7 +55,7 @@ def about(residence: Residence, probes: ProbeSet) -> Row:
     }
 
 
-def life(residence: Residence, choose: Any, steps: int) -> Row:  # noqa: ANN401
+def life(residence: Residence, choose: Choose, steps: int) -> Row:
     """What becomes of a policy's own episode; nothing if there is none."""
     if not steps:
         return dict.fromkeys(LIVED)

@@ -9,10 +9,11 @@ from __future__ import annotations
 import importlib
 import operator
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -21,6 +22,8 @@ from experiments.scoring.moments import Sight
 
 if TYPE_CHECKING:
     from learners.learner import Learner
+
+T = TypeVar("T")
 
 Act = Callable[[object, str], int]
 """Anybody's own policy: observation and agent in, action out."""
@@ -105,22 +108,31 @@ def of_learner(learner: Learner, rng: np.random.Generator) -> Policy:
     """Returns what a learner that no longer learns would do.
 
     Args:
-        learner: Not changed by being asked, if it has an exploration rule of its own.
+        learner: Not changed by being asked, if it has an exploration rule of its own;
+            then it is asked for each situation only once.
         rng: Draws in its place.
     """
+    values = _remembered(learner.q_values)
 
     def greedy(sight: Sight) -> int:
-        values = learner.q_values(sight.situation)
-        return int(rng.choice(np.flatnonzero(values == values.max())))
+        found = values(sight.situation)
+        return int(rng.choice(np.flatnonzero(found == found.max())))
+
+    exploration = getattr(learner, "exploration", None)
+    if exploration is None:
+        return Policy(
+            greedy=greedy, deployed=lambda sight: learner.act(sight.situation)
+        )
+    estimates = _remembered(learner.estimates)  # type: ignore[attr-defined]
 
     def deployed(sight: Sight) -> int:
-        exploration = getattr(learner, "exploration", None)
-        if exploration is None:
-            return learner.act(sight.situation)
-        estimates = learner.estimates(sight.situation)  # type: ignore[attr-defined]
-        return int(exploration.choose(estimates, rng))
+        return int(exploration.choose(estimates(sight.situation), rng))
 
     return Policy(greedy=greedy, deployed=deployed)
+
+
+def _remembered(told: Callable[[Hashable], T]) -> Callable[[Hashable], T]:
+    return lru_cache(maxsize=1 << 16)(told)
 
 
 def of_robots(policies: dict[str, Policy]) -> Policy:

@@ -161,7 +161,7 @@ def walk(
     crowd.place(frame.out([start for start, _ in ways]), np.zeros(n))
     goals = [goal for _, goal in ways]
     for i, goal in enumerate(goals):
-        crowd.send(i, frame.point(goal), 0.0)
+        crowd.send(i, frame.point(goal))
     track = [crowd.position.copy()]
     while crowd.walking.any() and len(track) <= most / STEERING:
         crowd.advance()

@@ -49,7 +49,6 @@ class Walks(NamedTuple):
 
     Attributes:
         walking: Whether each body is on a walk, shape (n,).
-        began: When each began its present or latest walk, shape (n,) [s].
         nearest: The least distance from its next waypoint that each has had, infinite
             before the first look, shape (n,) [m].
         stalled: For how long each has come no nearer to it, shape (n,) [s].
@@ -59,7 +58,6 @@ class Walks(NamedTuple):
     """
 
     walking: Annotated[Mask, "n"]
-    began: Annotated[Floats, "n"]
     nearest: Annotated[Floats, "n"]
     stalled: Annotated[Floats, "n"]
     settled: Annotated[Floats, "n", 2]
@@ -117,7 +115,6 @@ def no_walks(n: int) -> Walks:
     """The walks of so many bodies before their first one."""
     return Walks(
         walking=np.zeros(n, np.bool_),
-        began=np.full(n, np.nan),
         nearest=np.full(n, np.inf),
         stalled=np.zeros(n),
         settled=np.full((n, 2), np.nan),

@@ -60,7 +60,6 @@ class Crowd(Stateful):
         heading: Where every body faces, shape (n,) [rad].
         gaze: Where every head points, shape (n,) [rad].
         walking: Whether each body is on a walk, shape (n,).
-        walk_began: When each began its present or latest walk, shape (n,) [s].
     """
 
     STATE = (
@@ -98,7 +97,7 @@ class Crowd(Stateful):
             bodies.heading,
             bodies.gaze,
         )
-        self.walking, self.walk_began = walks.walking, walks.began
+        self.walking = walks.walking
         period = self._ticks.number * self._ticks.duration
         self._steer = bind(steer, bodies, walks, period)
         self._walk_freely = bind(
@@ -140,10 +139,6 @@ class Crowd(Stateful):
         """Whether a body is on a walk."""
         return bool(self.walking[i])
 
-    def walks_since(self, i: int) -> float | None:
-        """When a body began its walk, None if it stands [s]."""
-        return float(self.walk_began[i]) if self.walks(i) else None
-
     def is_bound_for(self, i: int, goal: Point) -> bool:
         """Whether a body is at a goal, on its way there, or as near as others let it.
 
@@ -162,49 +157,44 @@ class Crowd(Stateful):
         """
         self._arrived(goals, there)
 
-    def send(self, i: int, goal: Point, now: float) -> bool:
+    def send(self, i: int, goal: Point) -> bool:
         """Sends a body on a walk.
 
         Args:
             i: Index of the body.
             goal: Where to [m]; the nearest place where it fits is good enough.
-            now: [s].
 
         Returns:
             Whether a path leads there.
         """
         self._walks.needs_replan[i] = True
         self._single.point[i] = goal
-        return self._replan(self._single, now, keep=False)
+        return self._replan(self._single, keep=False)
 
-    def send_who_needs_replan(
-        self, goals: Goals, now: float, but: Sequence[int] = ()
-    ) -> None:
+    def send_who_needs_replan(self, goals: Goals, but: Sequence[int] = ()) -> None:
         """Sends everybody on a walk who is neither at its goal nor on its way there.
 
         Args:
             goals: Where the first bodies want to be.
-            now: [s].
             but: Who stays as it is.
         """
         if not self._find_who_needs_replan(self._paths, goals):
             return
         for i in but:
             self._walks.needs_replan[i] = False
-        self._replan(goals, now, keep=True)
+        self._replan(goals, keep=True)
 
-    def _replan(self, goals: Goals, now: float, *, keep: bool) -> bool:
+    def _replan(self, goals: Goals, *, keep: bool) -> bool:
         """Sends all on a walk who need a new path; returns whether one leads anywhere.
 
         Args:
             goals: Where they want to be.
-            now: [s].
             keep: Whether others will walk to the same goals.
         """
-        most = self._set_out(self._paths, goals, now, keep)
+        most = self._set_out(self._paths, goals, keep)
         if most > self._paths.points.shape[1]:
             self._paths = with_room(self._paths, most)
-            return self._replan(goals, now, keep=keep)
+            return self._replan(goals, keep=keep)
         return most > 0
 
     def halt(self, i: int) -> None:

@@ -68,7 +68,6 @@ def set_out(
     walks: Walks,
     paths: Paths,
     goals: Goals,
-    now: float,
     keep: bool,
 ) -> int:
     """Sends everybody on a walk who needs a new path.
@@ -82,7 +81,6 @@ def set_out(
         walks: Changed in place for those who set out.
         paths: Likewise.
         goals: Where they want to be.
-        now: [s].
         keep: Whether to keep the paths to the goals for others who walk there; not done
             for targets.
 
@@ -103,8 +101,7 @@ def set_out(
         if found == 0:
             walking[i] = False
         elif not needs_replan[i]:
-            if not walking[i]:
-                walking[i], walks.began[i] = True, now
+            walking[i] = True
             paths.at[i], paths.length[i] = 0, found
             walks.nearest[i], walks.stalled[i] = np.inf, 0.0
             walks.settled[i] = np.nan

@@ -175,7 +175,7 @@ class People(Stateful):
         self._adopt(self._minds.decide(percepts))
         self.wishes.touched.fill(False)
         at_hand = list(self.wishes_at_hand(crowd, senses))
-        crowd.send_who_needs_replan(self._goals, now, but=at_hand)
+        crowd.send_who_needs_replan(self._goals, but=at_hand)
 
     def wishes_at_hand(self, crowd: Crowd, senses: Senses) -> dict[int, Wish]:
         """The wishes that people can fulfill from where they stand, by person."""

@@ -36,7 +36,6 @@ class Mover:
         rng: The robot's own random stream.
         period: Between two calls [s].
         begins: Whether the behavior begins in this decision period.
-        now: [s].
     """
 
     body: int
@@ -45,7 +44,6 @@ class Mover:
     rng: np.random.Generator
     period: float
     begins: bool = False
-    now: float = 0.0
 
 
 def still(mover: Mover, crowd: Crowd) -> None:
@@ -67,7 +65,7 @@ def wander(mover: Mover, crowd: Crowd) -> None:
         angle, reach = 2 * math.pi * turn, 0.5 + (STROLL - 0.5) * share
         x, y = crowd.where[mover.body]
         goal = (x + reach * math.cos(angle), y + reach * math.sin(angle))
-        crowd.send(mover.body, goal, mover.now)
+        crowd.send(mover.body, goal)
 
 
 def follow(mover: Mover, crowd: Crowd) -> None:
@@ -77,7 +75,7 @@ def follow(mover: Mover, crowd: Crowd) -> None:
     if math.dist(goal, crowd.where[mover.body]) <= COMPANY:
         crowd.halt(mover.body)
     elif not crowd.is_bound_for(mover.body, goal):
-        crowd.send(mover.body, goal, mover.now)
+        crowd.send(mover.body, goal)
 
 
 def retreat(mover: Mover, crowd: Crowd) -> None:
@@ -85,14 +83,14 @@ def retreat(mover: Mover, crowd: Crowd) -> None:
     if mover.begins:
         spot = _loneliest(mover.spots, crowd.position, mover.n_people)
         x, y = mover.spots[spot].tolist()
-        crowd.send(mover.body, (x, y), mover.now)
+        crowd.send(mover.body, (x, y))
 
 
 def fetch(mover: Mover, crowd: Crowd) -> None:
     """Goes to some activity region, then to the nearest person."""
     if mover.begins:
         x, y = mover.spots[mover.rng.integers(len(mover.spots))].tolist()
-        crowd.send(mover.body, (x, y), mover.now)
+        crowd.send(mover.body, (x, y))
     elif not crowd.walks(mover.body):
         follow(mover, crowd)
 

@@ -246,7 +246,7 @@ class Simulation(Stateful):
                 self.crowd.halt(n_people + robot)
                 continue
             mover = self._movers[robot]
-            mover.begins, mover.now = bout.decision == self.decision, now
+            mover.begins = bout.decision == self.decision
             self._motions[bout.behavior](mover, self.crowd)
 
     def walk_and_touch(self) -> None:

@@ -58,7 +58,7 @@ def test_the_engine_is_asked_only_where_bodies_may_touch(
 ):
     crowd = crowd_in(room(), start)
     engine = Asked(crowd, monkeypatch)
-    assert crowd.send(0, goal, 0.0)
+    assert crowd.send(0, goal)
     for _ in range(60):
         crowd.advance()
     taken = any(tuple(body) == goal for body in start)
@@ -68,7 +68,7 @@ def test_the_engine_is_asked_only_where_bodies_may_touch(
 
 def test_who_walks_does_not_move_who_stands_but_goes_round(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
-    assert crowd.send(0, (7.0, 2.5), 0.0)
+    assert crowd.send(0, (7.0, 2.5))
     aside = 0.0
     while crowd.walks(0):
         crowd.advance()
@@ -93,7 +93,7 @@ def test_a_walker_with_all_sides_blocked_waits_without_turning_and_then_pushes(
     room, crowd_in
 ):
     crowd = crowd_in(room(), [(4.0, 2.5), *CLOSE])
-    assert crowd.send(0, (7.0, 2.5), 0.0)
+    assert crowd.send(0, (7.0, 2.5))
     here, ahead, moved = [], [], []
     for _ in range(10):
         crowd.advance()
@@ -112,8 +112,8 @@ def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in)
     tracks = []
     for with_engine in (False, True):
         crowd = crowd_in(room(), [(1.0, 2.0), (7.0, 3.0)])
-        assert crowd.send(0, (7.0, 2.0), 0.0)
-        assert crowd.send(1, (1.0, 3.0), 0.0)
+        assert crowd.send(0, (7.0, 2.0))
+        assert crowd.send(1, (1.0, 3.0))
         track = []
         for _ in range(20):
             crowd._pressed = with_engine
@@ -127,7 +127,7 @@ def test_several_periods_at_once_are_the_same_as_one_by_one(room, crowd_in):
     ends = []
     for at_once in (1, 5):
         crowd = crowd_in(room(), [(1.0, 2.5), (5.0, 1.0)])
-        crowd.send(0, (7.0, 4.0), 0.0)
+        crowd.send(0, (7.0, 4.0))
         left = 40
         while left:
             left -= crowd.advance(min(at_once, left))
@@ -139,7 +139,7 @@ def test_several_periods_at_once_are_the_same_as_one_by_one(room, crowd_in):
 def test_who_is_after_somebody_stops_to_look_within_reach(room, crowd_in):
     """From 6 m away, 0.24 m in each period: 0.8 m are reached in the 22nd."""
     crowd = crowd_in(room(), [(1.0, 2.5), (7.0, 2.5)])
-    crowd.send(0, (7.0, 2.5), 0.0)
+    crowd.send(0, (7.0, 2.5))
     after = Pursuit(np.array([1]), 0.8)
     assert crowd.advance(100, after) == 22
     assert math.dist(*crowd.position) <= 0.8
@@ -191,7 +191,7 @@ def test_four_people_change_sides_through_one_doorway(room, crowd_in, walk):
 
 def test_who_stands_in_the_way_is_walked_round(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
-    assert crowd.send(0, (7.0, 2.5), 0.0)
+    assert crowd.send(0, (7.0, 2.5))
     for _ in range(50):
         crowd.advance()
     np.testing.assert_allclose(crowd.position[0], [7.0, 2.5], atol=0.1)
@@ -204,7 +204,7 @@ def bound(crowd, goals):
 
 def test_all_are_asked_at_once_who_has_arrived(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5), (6.0, 1.0), (7.0, 4.0)])
-    assert crowd.send(1, (4.0, 4.0), 0.0)
+    assert crowd.send(1, (4.0, 4.0))
     standing, walking = (1.05, 2.5), (4.0, 4.0)
     goals, there = [standing, walking, (6.15, 1.0)], np.zeros(3, dtype=bool)
     assert bound(crowd, goals) == [True, True, False]
@@ -221,15 +221,13 @@ def test_all_who_need_a_new_path_set_out_but_those_who_are_to_stay(room, crowd_i
     crowd = crowd_in(room(), [(1.0, 1.0), (1.0, 4.0), (4.0, 2.5), (7.0, 4.0)])
     goals = [(6.0, 1.0), (1.0, 4.0), (4.0, 1.0)]
     nobody = np.full(3, NOBODY)
-    crowd.send_who_needs_replan(Goals(np.array(goals), nobody), 5.0, but=[2])
+    crowd.send_who_needs_replan(Goals(np.array(goals), nobody), but=[2])
     assert crowd.walking.tolist() == [True, False, False, False]
-    assert (crowd.walks_since(0), crowd.walks_since(2)) == (5.0, None)
     # The second goes after the last body instead of staying in its place.
     after = Goals(np.array(goals), np.array([NOBODY, 3, NOBODY]))
-    crowd.send_who_needs_replan(after, 6.0)
+    crowd.send_who_needs_replan(after)
     assert crowd.walking.tolist() == [True, True, True, False]
     assert bound(crowd, [(6.0, 1.0), (7.0, 4.0), (4.0, 1.0)]) == [True] * 3
-    assert crowd.walks_since(0) == 5.0
 
 
 def test_paths_with_many_turns_make_room_for_themselves(room, crowd_in):
@@ -238,7 +236,7 @@ def test_paths_with_many_turns_make_room_for_themselves(room, crowd_in):
     plan = room(size=(12.0, 5.0), walls=walls)
     crowd = crowd_in(plan, [(0.5, 1.5), (0.5, 2.5), (0.5, 3.5)])
     goals = [(11.5, 1.5), (11.5, 2.5), (0.5, 4.5)]
-    crowd.send_who_needs_replan(Goals(np.array(goals), np.full(3, NOBODY)), 0.0)
+    crowd.send_who_needs_replan(Goals(np.array(goals), np.full(3, NOBODY)))
     assert bound(crowd, goals) == [True] * 3
     assert crowd.walking.all()
 
@@ -247,7 +245,7 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     radius, mass = np.full(2, PERSON), np.array([70.0, 1e6])
     crowd = Crowd(room(), BodyParams(radius, mass, np.full(2, 1.2)), 0.2, 0.1)
     crowd.place(np.array([(1.0, 2.5), (4.0, 2.5)]), np.zeros(2))
-    assert crowd.send(0, (4.0, 2.5), 0.0)
+    assert crowd.send(0, (4.0, 2.5))
     for _ in range(100):
         crowd.advance()
     assert not crowd.walks(0)
@@ -258,5 +256,5 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
         crowd.arrived(np.array([goal]), there)
         assert there.tolist() == [is_bound]
         alone = Goals(np.array([goal]), np.full(1, NOBODY))
-        crowd.send_who_needs_replan(alone, 100.0)
+        crowd.send_who_needs_replan(alone)
         assert crowd.walks(0) != is_bound
