@@ -161,7 +161,10 @@ class NetworkPerPerson:
             layers += [layer, nn.ReLU()]
         self._network = nn.Sequential(*layers[:-1])
         self._optimizer = torch.optim.Adam(
-            self._network.parameters(), lr=LEARNING_RATE, weight_decay=DECAY
+            self._network.parameters(),
+            lr=LEARNING_RATE,
+            weight_decay=DECAY,
+            fused=True,
         )
 
 
