@@ -52,6 +52,7 @@ class StudyCommand:
 
     def run(self) -> None:
         """Runs what is missing, then shows and stores what was found."""
+        from experiments.generalization.extras import runnable
         from experiments.generalization.names import NAMES, inquiry
         from experiments.studies.people import STUDIES
 
@@ -64,7 +65,9 @@ class StudyCommand:
             return
         if self.name not in NAMES and not self.name.endswith(".py"):
             raise unknown("study", self.name, (*NAMES, *STUDIES, "FILE.py"))
-        asked = inquiry(self.name)
+        asked, left_out = runnable(inquiry(self.name))
+        if left_out:
+            new_console().print(left_out, highlight=False)
         self._generalization(asked, tuple(range(self.seeds or asked.seeds)))
 
     def _generalization(self, asked: Inquiry, seeds: tuple[int, ...]) -> None:

@@ -19,6 +19,7 @@ import torch
 from numpy.typing import NDArray
 from torch import nn
 
+from experiments.deep.repeatable import steady
 from experiments.phases.seeing import Seen
 from learners import make_learner
 from learners.components import made
@@ -34,9 +35,6 @@ MEMORY, BATCH, STEPS = 20_000, 64, 4
 
 LEARNING_RATE, DECAY = 1e-3, 1e-4
 
-EPSILON = 0.1
-"""Share of choices that are drawn (our choice, as for the tables' tuned ones)."""
-
 
 class NetworkPerPerson:
     """A learner that looks at the features of each person.
@@ -44,12 +42,16 @@ class NetworkPerPerson:
     Args:
         n_behaviors: Number of behaviors to choose from.
         rng: Draws first weights, batches and exploration.
+        epsilon: Share of choices that are drawn.
     """
 
     observes = True
 
-    def __init__(self, n_behaviors: int, rng: np.random.Generator) -> None:
+    def __init__(
+        self, n_behaviors: int, rng: np.random.Generator, epsilon: float = 0.1
+    ) -> None:
         self.n_behaviors = n_behaviors
+        self._epsilon = epsilon
         self._rng = rng
         # Its history and its credit rule say which entry a touch is about.
         self._credit = make_learner(
@@ -68,7 +70,7 @@ class NetworkPerPerson:
 
     def act(self, state: Hashable) -> int:
         """Chooses a behavior: the best one, or now and then any."""
-        if self._rng.random() < EPSILON:
+        if self._rng.random() < self._epsilon:
             return int(self._rng.integers(self.n_behaviors))
         return int(self.q_values(state).argmax())
 
@@ -147,7 +149,7 @@ class NetworkPerPerson:
 
     def _begin(self, n_features: int) -> None:
         """Makes the network; its first weights come from the learner's generator."""
-        torch.set_num_threads(1)  # also, so that sums are always of one order
+        steady()
         generator = torch.Generator().manual_seed(int(self._rng.integers(2**31)))
         sizes = (n_features, HIDDEN, HIDDEN, self.n_behaviors)
         layers: list[nn.Module] = []
@@ -159,10 +161,21 @@ class NetworkPerPerson:
             layers += [layer, nn.ReLU()]
         self._network = nn.Sequential(*layers[:-1])
         self._optimizer = torch.optim.Adam(
-            self._network.parameters(), lr=LEARNING_RATE, weight_decay=DECAY
+            self._network.parameters(),
+            lr=LEARNING_RATE,
+            weight_decay=DECAY,
+            fused=True,
         )
 
 
-def network(n_behaviors: int, rng: np.random.Generator) -> NetworkPerPerson:
-    """Returns a new learner, as `module:function` names it."""
-    return NetworkPerPerson(n_behaviors, rng)
+def network(
+    n_behaviors: int, rng: np.random.Generator, epsilon: float = 0.1
+) -> NetworkPerPerson:
+    """Returns a new learner, as `module:function` names it.
+
+    Args:
+        n_behaviors: Number of behaviors to choose from.
+        rng: Draws first weights, batches and exploration.
+        epsilon: Share of choices that are drawn.
+    """
+    return NetworkPerPerson(n_behaviors, rng, epsilon)

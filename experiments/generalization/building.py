@@ -22,7 +22,7 @@ def every(
     """Returns a condition for each learner in each case.
 
     Args:
-        learners: Names in `learners.LEARNERS`.
+        learners: Names in `learners.LEARNERS` and `learners.NETWORKS`.
         cases: Levels of the factors -> what is trained and what is probed.
         factors: Their names; the learner is a further one.
         references: Policies that are probed beside them, without training. They do not
@@ -42,6 +42,11 @@ def every(
         for levels, (training, probing) in cases.items()
         for name, (learner, overrides) in (known | beside).items()
     )
+
+
+def with_plenty(training: Training) -> Training:
+    """Returns a training that is ten times as long as others, in more households."""
+    return replace(training, households=8, decisions=4_000)
 
 
 def _once(probing: Probing) -> Probing:

@@ -49,6 +49,23 @@ LEARNERS: Mapping[str, Settings] = {
 settings. Where it is not said, views are pooled fully, and silence counts as no
 touch."""
 
+NETWORKS: Mapping[str, Settings] = {
+    "network per person": ("experiments.deep.per_person:network", {"epsilon": 0.1}),
+    "PPO": (
+        "experiments.deep.ppo:ppo",
+        {
+            "n_steps": 64,
+            "batch_size": 32,
+            "n_epochs": 10,
+            "learning_rate": 1e-3,
+            "gamma": 0.5,
+            "ent_coef": 0.01,
+        },
+    ),
+}
+"""Neural baselines (extra `deep`) -> who makes them, and their settings (our choice:
+they are not tuned as the tables are)."""
+
 GRID: Mapping[str, tuple[str, str]] = {
     "whole situation": ("whole situation", "none"),
     "canonical": ("whole situation", "full"),
@@ -82,19 +99,19 @@ REFERENCES = ("random", "persona", "population")
 
 def slug(name: str) -> str:
     """Returns a name as it can be a folder."""
-    return name.replace(",", "").replace(" ", "_")
+    return name.replace(",", "").replace(" ", "_").lower()
 
 
 def settings(names: Iterable[str] = LEARNERS) -> dict[str, Settings]:
     """Returns learners by name with their settings, exploration as it was tuned."""
-    known = tuned()
     return {
-        name: (
-            LEARNERS[name][0],
-            {**LEARNERS[name][1], "exploration": dict(known[name])},
-        )
-        for name in names
+        name: NETWORKS[name] if name in NETWORKS else _explores(name) for name in names
     }
+
+
+def _explores(name: str) -> Settings:
+    learner, further = LEARNERS[name]
+    return learner, {**further, "exploration": dict(tuned()[name])}
 
 
 @cache

@@ -1,19 +1,22 @@
 """The leaderboard: all learners on the whole suite.
 
 In each family a robot learns in two households and moves to one with other people, in
-another home, with other roles; it adapts for 20 touches and then lives there.
+another home, with other roles; it adapts for 20 touches and then lives there. Networks
+(extra `deep`) do so, too, and apart from that once more after plenty of training.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import polars as pl
 
 from experiments.analysis.preregistered import Contrast, Result
-from experiments.generalization.building import every
+from experiments.generalization.building import every, with_plenty
 from experiments.generalization.drawing import bars
 from experiments.generalization.inquiry import Inquiry
-from experiments.generalization.learners import LEARNERS
-from experiments.phases.records import Probing, Training
+from experiments.generalization.learners import LEARNERS, NETWORKS
+from experiments.phases.records import Phases, Probing, Training
 from experiments.phases.world import World
 from household.config.toml import shipped
 
@@ -43,6 +46,29 @@ CASES = {
 
 REFERENCES = ("random", "persona", "population", "lookahead")
 
+PLENTY = ", plenty"
+"""What the name of a network ends with that was trained for longer."""
+
+
+def conditions() -> tuple[Phases, ...]:
+    """Returns learners, references, networks, and networks with plenty."""
+    networks = every(NETWORKS, CASES, ("family",), ())
+    return (
+        *every(LEARNERS, CASES, ("family",), REFERENCES),
+        *networks,
+        *map(_with_plenty, networks),
+    )
+
+
+def _with_plenty(condition: Phases) -> Phases:
+    learner = condition.factors["learner"] + PLENTY
+    return replace(
+        condition,
+        name=f"{condition.name}-plenty",
+        factors={**condition.factors, "learner": learner},
+        training=with_plenty(condition.training),
+    )
+
 
 def lived_share(frame: pl.DataFrame, learner: str) -> float:
     """Returns where between random (0) and lookahead (1) somebody's life is.
@@ -69,11 +95,10 @@ def _verdicts(frame: pl.DataFrame, learner: str, family: str) -> float:
 
 def _say(frame: pl.DataFrame, results: tuple[Result, ...]) -> tuple[str, ...]:
     del results
-    ordered = sorted(
-        (*LEARNERS, "persona"),
-        key=lambda name: lived_share(frame, name),
-        reverse=True,
-    )
+    ends = ("random", "lookahead")
+    known = frame["learner"].unique(maintain_order=True)
+    named = [name for name in known if name not in ends]
+    ordered = sorted(named, key=lambda name: lived_share(frame, name), reverse=True)
     said = ", ".join(f"{name} {lived_share(frame, name):.2f}" for name in ordered)
     return (f"Lived scores, random 0 and lookahead 1, mean over families: {said}.",)
 
@@ -89,7 +114,7 @@ def _contrast(text: str, more: str, less: str) -> Contrast:
 INQUIRY = Inquiry(
     name="suite",
     question="Which learner is best over the whole suite?",
-    conditions=every(LEARNERS, CASES, ("family",), REFERENCES),
+    conditions=conditions(),
     contrasts=(
         _contrast(
             "Views within hearing beat canonical situations.",
@@ -110,6 +135,16 @@ INQUIRY = Inquiry(
             "Learning from exposures beats learning from touches alone.",
             "within hearing, full",
             "within hearing, by touches",
+        ),
+        _contrast(
+            "Nested views beat a network per person.",
+            "nested",
+            "network per person",
+        ),
+        _contrast(
+            "A network per person beats PPO.",
+            "network per person",
+            "PPO",
         ),
     ),
     draw=lambda frame: bars(frame.filter(frame["touches"] == 20), "family"),

@@ -53,6 +53,8 @@ _PACKAGES = (
     "polars",
     "pymunk",
     "scipy",
+    "stable-baselines3",
+    "torch",
 )
 
 

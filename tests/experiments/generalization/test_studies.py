@@ -8,10 +8,10 @@ import pytest
 
 from experiments.cli import main
 from experiments.errors import ExperimentError
-from experiments.generalization import heterogeneity, suite, tuning
+from experiments.generalization import extras, heterogeneity, suite, tuning
 from experiments.generalization.findings import findings
 from experiments.generalization.inquiry import studies
-from experiments.generalization.learners import GRID, LEARNERS, tuned
+from experiments.generalization.learners import GRID, LEARNERS, NETWORKS, tuned
 from experiments.generalization.names import NAMES, inquiry
 from experiments.phases import splits
 from experiments.phases.drawing import probed_in, trained_in
@@ -215,6 +215,61 @@ def test_the_turn_from_gain_to_harm_is_read_off_the_scores():
     said = heterogeneity.in_words(found["swap", "canonical"])
     assert said == "turns from gain to harm at h = 0.50 [0.50, 0.50]"
     assert "never" in heterogeneity.in_words(found["swap", "within hearing, full"])
+
+
+def test_networks_stand_on_the_leaderboard_with_the_budget_of_others_and_with_plenty():
+    known = {
+        (each.factors["learner"], each.factors["family"]): each
+        for each in suite.INQUIRY.conditions
+    }
+    assert len(known) == len(suite.INQUIRY.conditions)
+    for family in suite.FAMILIES:
+        table = known["nested", family]
+        for name in NETWORKS:
+            same, plenty = known[name, family], known[name + suite.PLENTY, family]
+            assert (same.training, same.probing) == (table.training, table.probing)
+            assert plenty.probing == table.probing
+            more, less = (
+                each.training.households * each.training.decisions
+                for each in (plenty, same)
+            )
+            assert more > 10 * less
+
+
+@pytest.fixture
+def without_networks(monkeypatch):
+    """Neither of the packages of the extra `deep` is installed."""
+    monkeypatch.setattr(extras, "find_spec", lambda package: None)
+
+
+def test_without_their_extra_networks_are_left_out_and_it_is_said(without_networks):
+    asked = inquiry("suite")
+    rest, line = extras.runnable(asked)
+    names = {each.factors["learner"] for each in rest.conditions}
+    assert names == {*LEARNERS, *suite.REFERENCES}
+    assert len(rest.contrasts) == len(asked.contrasts) - 2
+    assert "without network per person and PPO" in line
+    assert "pip install 'polite-household[deep]'" in line
+    assert "\n" not in line
+    assert extras.runnable(inquiry("transfer")) == (inquiry("transfer"), "")
+
+
+def test_a_study_of_networks_alone_needs_their_extra(without_networks):
+    asked = inquiry("suite")
+    networks = tuple(filter(extras.needs_extra, asked.conditions))
+    with pytest.raises(ExperimentError, match=r"polite-household\[deep\]"):
+        extras.runnable(replace(asked, conditions=networks, contrasts=()))
+
+
+def test_the_command_says_what_it_leaves_out(
+    own_study, tmp_path, capsys, without_networks
+):
+    own_study.write_text(OWN.replace("within hearing, full", "PPO"))
+    words = ["study", str(own_study), "--seeds", "1", "--plan"]
+    assert main([*words, "--out", str(tmp_path / "runs")]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "mine: without PPO, 2 of 10 conditions; pip install" in said
+    assert "mine: 8 trials, 0 are stored already." in said
 
 
 def test_a_lived_score_is_between_random_and_lookahead():

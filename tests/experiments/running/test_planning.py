@@ -16,9 +16,12 @@ def busy(trial):
     return pl.DataFrame({"x": [trial.seed]})
 
 
-def study(n):
-    condition = Condition(name="a", scenario="experiment_1", learner="q_social")
-    return Study(name="toy", conditions=(condition,), seeds=tuple(range(n)), run=busy)
+def study(n, names="a", run=busy):
+    conditions = tuple(
+        Condition(name=name, scenario="experiment_1", learner="q_social")
+        for name in names
+    )
+    return Study(name="toy", conditions=conditions, seeds=tuple(range(n)), run=run)
 
 
 @pytest.fixture
@@ -44,6 +47,17 @@ def test_a_plan_of_a_finished_study_takes_no_time(tmp_path, in_threads):
     run(prepare([study(1)], tmp_path), in_threads, lambda: None)
     planned = planning.plan(1, missing(study(1), tmp_path))
     assert (planned.stored, planned.timed, planned.hours(1)) == (1, 0, 0.0)
+
+
+def test_a_plan_times_as_many_conditions_as_it_can(tmp_path):
+    timed = []
+
+    def noted(trial):
+        timed.append(trial.condition.name)
+        return busy(trial)
+
+    planning.plan(64, missing(study(8, "abcdefgh", noted), tmp_path), sample=4)
+    assert timed == ["a", "a", "c", "e", "g"]  # the first one twice
 
 
 def test_a_plan_changes_nothing(tmp_path):
