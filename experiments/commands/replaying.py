@@ -22,7 +22,7 @@ class Replay:
     """Another recording of the same home and seed, to show beside the first one."""
 
     at: Annotated[int | None, arg(metavar="DECISION")] = None
-    """Open it at this moment, or draw this one."""
+    """Open it at this moment, or draw this one; else a page opens at a touch."""
 
     find: Annotated[str | None, arg(metavar="WORDS")] = None
     """List the events that say this, such as "tap by father" or "wrong credit", and
@@ -69,7 +69,7 @@ class Replay:
         if self.picture:
             write_picture(path, self.picture, at, size or SIZE)
         if self.page:
-            write_page(path, self.page, film=self.video)
+            write_page(path, self.page, film=self.video, at=at)
         if not (self.video or self.picture or self.page):
             view(path, web=self.web, at=at)
 

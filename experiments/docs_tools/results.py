@@ -3,6 +3,8 @@
 Run as `python -m experiments.docs_tools.results RUNS/claims.json PAGE` after
 
     household reproduce --out RUNS
+
+The typical seeds are those of the trials that are stored beside the claims.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from typing import Any
 
 from experiments.analysis.deciding import FAILS, HOLDS, UNDECIDED
 from experiments.docs_tools.pages import render
+from experiments.docs_tools.typical import Typical, typical
 from experiments.report.format import format_number
 
 Finding = Mapping[str, Any]
@@ -35,11 +38,12 @@ OURS = "6"
 """First letter of the claims that are not the paper's."""
 
 
-def page(findings: Sequence[Finding]) -> str:
+def page(findings: Sequence[Finding], trials: Sequence[Typical]) -> str:
     """Returns the page.
 
     Args:
         findings: As `household reproduce` stores them, in the order of the claims.
+        trials: The typical one of each experiment.
     """
     paper = [one for one in findings if not one["id"].startswith(OURS)]
     own = [one for one in findings if one["id"].startswith(OURS)]
@@ -55,6 +59,7 @@ def page(findings: Sequence[Finding]) -> str:
         deciding=[_deciding(one) for one in paper if one["seeds_to_decide"]],
         watching=[_watching(by_claim[claim]) for claim in ("5a", "5b")],
         silence=[_silence(by_claim, control) for control in SILENCE],
+        trials=trials,
     )
 
 
@@ -157,4 +162,5 @@ def _write(one: Finding, value: float, *, unit: bool = True) -> str:
 
 if __name__ == "__main__":
     claims, out = Path(sys.argv[1]), Path(sys.argv[2])
-    out.write_text(page(json.loads(claims.read_text("utf-8"))), encoding="utf-8")
+    stored = json.loads(claims.read_text("utf-8"))
+    out.write_text(page(stored, typical(claims.parent)), encoding="utf-8")

@@ -61,7 +61,7 @@ def play(number: int, seed: int, out: Path) -> Played:
     shown = film if film.exists() else None
     if not page.exists():
         title = f"Experiment {number}: {experiment.title}, seed {seed}"
-        write_page(recording, page, title, shown)
+        write_page(recording, page, title, shown, _moment(recording))
     return Played(recording=recording, page=page, film=shown, picture=picture)
 
 

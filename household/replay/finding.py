@@ -10,6 +10,9 @@ from household.config.toml import is_file
 from household.errors import HouseholdError, shown_path
 from household.replay.probing import check_readable
 
+TOUCHES = frozenset({"TAP", "CARESS"})
+"""Kinds of events that are touches."""
+
 
 class Event(NamedTuple):
     """A line of the table of events.
@@ -53,6 +56,16 @@ def find(path: Path | str, words: str, *, tried: bool = False) -> list[Event]:
             'of mind"'
         )
     return sorted(found, key=attrgetter("decision"))
+
+
+def first_touch(path: Path | str) -> int:
+    """The decision of the first touch of a replay that can be read; 0: there is none.
+
+    Raises:
+        HouseholdError: If the file cannot be read.
+    """
+    touched = (one.decision for one in _events(Path(path)) if one.kind in TOUCHES)
+    return min(touched, default=0)
 
 
 def _events(path: Path) -> Iterator[Event]:

@@ -3,11 +3,18 @@
 import pytest
 
 from experiments.docs_tools.results import page
+from experiments.docs_tools.typical import Typical
+from experiments.paper import EXPERIMENTS
 
 CONTROLS = (
     *("silence_apart", "silence_held", "silence_apart_held", "skip_silence"),
     *("swap_watching", "random_watching", "persona_watching"),
 )
+
+TRIALS = [
+    Typical(experiment=EXPERIMENTS[number], seed=16, caresses=42, taps=18)
+    for number in (1, 4)
+]
 
 
 def finding(claim, verdict="holds", value=0.8, **more):
@@ -46,11 +53,11 @@ def findings():
 
 
 def test_a_claim_fails_if_it_fails_in_any_condition(findings):
-    assert "2 of 4 claims hold, 1 fails, 1 is undecided" in page(findings)
+    assert "2 of 4 claims hold, 1 fails, 1 is undecided" in page(findings, TRIALS)
 
 
 def test_each_claim_and_condition_is_a_row_with_its_verdict(findings):
-    said = page(findings)
+    said = page(findings, TRIALS)
     row = "| 4a | Claim 4a. | social | 80 % | 70 to 90 % | none | at least 90 % |"
     assert f"{row} *undecided* |" in said
     assert "4a about 69" in said
@@ -59,11 +66,19 @@ def test_each_claim_and_condition_is_a_row_with_its_verdict(findings):
 
 
 def test_our_own_claims_are_counted_apart(findings):
-    assert "0 of 1 claims hold, 1 fails" in page(findings)
-    assert "| 6a | Claim 6a. | social | 2.50 | 2.40 to 2.60 |" in page(findings)
-    assert "A sixth experiment" not in page(findings[:-1])
+    assert "0 of 1 claims hold, 1 fails" in page(findings, TRIALS)
+    assert "| 6a | Claim 6a. | social | 2.50 | 2.40 to 2.60 |" in page(findings, TRIALS)
+    assert "A sixth experiment" not in page(findings[:-1], TRIALS)
 
 
 def test_references_are_the_random_robot_and_the_persona(findings):
     known = finding("2a", floor={"value": 0.12}, ceiling={"value": 0.58})
-    assert "| 12, 58 % |" in page([*findings, known])
+    assert "| 12, 58 % |" in page([*findings, known], TRIALS)
+
+
+def test_each_experiment_says_how_its_typical_trial_is_watched(findings):
+    said = page(findings, TRIALS)
+    record, watch = TRIALS[1].commands
+    row = "| designated | 16 | 42, 18 | `experiment_4_seed_16.html` |"
+    assert f"{row} `{record}`<br>`{watch}` |" in said
+    assert "\n".join(("```sh", *TRIALS[0].commands, "```")) in said

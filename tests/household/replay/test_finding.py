@@ -3,7 +3,7 @@ import pytest
 
 from household.errors import HouseholdError
 from household.replay import RecordEpisodes
-from household.replay.finding import find
+from household.replay.finding import find, first_touch
 from household.replay.reading import read_replay
 
 
@@ -46,6 +46,10 @@ def test_touches_for_what_another_robot_did_are_wrong_blame(path):
         event.decision for event in find(path, "wrong blame", tried=True)
     ] == sorted(blamed)
     assert blamed
+
+
+def test_the_first_touch_is_the_earliest_of_all(path):
+    assert first_touch(path) == min(read_replay(path, tried=True).touches)
 
 
 def test_what_is_not_found_is_told_with_what_can_be(path):

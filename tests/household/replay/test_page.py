@@ -2,14 +2,19 @@
 
 import base64
 import gzip
+import json
 import re
+import shutil
+import subprocess
+from urllib.request import urlopen
 
 import pytest
 
 from household import household_v0
 from household.errors import HouseholdError
-from household.replay import RecordEpisodes, web_viewer
+from household.replay import RecordEpisodes, page, web_viewer
 from household.replay.page import write_page
+from household.replay.process import LOOPBACK, free_ports
 from household.replay.web_viewer import (
     LOADER,
     PROGRAM,
@@ -18,6 +23,10 @@ from household.replay.web_viewer import (
     recorded_by,
     viewer_version,
 )
+
+BROWSER = shutil.which("chromium")
+
+needs_browser = pytest.mark.skipif(BROWSER is None, reason="no chromium")
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +41,7 @@ def folder(tmp_path_factory):
     path = (folder / "episode_00000.rrd").rename(folder / "busy.rrd")
     (folder / "a film.mp4").write_bytes(b"moving")
     write_page(path, folder / "plain.html", 'Who is "polite" <here>?')
-    write_page(path, folder / "filmed.html", film=folder / "a film.mp4")
+    write_page(path, folder / "filmed.html", film=folder / "a film.mp4", at=3)
     return folder
 
 
@@ -94,3 +103,56 @@ def test_a_page_whose_folder_is_missing_is_one_line(folder):
 
 def test_nothing_unfinished_stays(folder):
     assert not list(folder.rglob(".*"))
+
+
+def test_a_page_opens_at_its_moment_and_else_at_the_first_touch(folder, monkeypatch):
+    assert "asked ? asked[1] : 3)" in (folder / "filmed.html").read_text()
+    monkeypatch.setattr(page, "first_touch", lambda path: 41)
+    write_page(folder / "busy.rrd", folder / "touched.html")
+    assert "asked ? asked[1] : 41)" in (folder / "touched.html").read_text()
+
+
+TELLS = """<script>
+const seen = at("viewer");
+new MutationObserver(() => { document.title = "shows " + seen.dataset.decision; })
+  .observe(seen, { attributeFilter: ["data-decision"] });
+</script>"""
+"""Makes a page say in its title, which can be asked for, which moment it shows."""
+
+
+@pytest.fixture
+def title(tmp_path):
+    """Opens a page in a browser without a screen; returns what asks for its title."""
+    graphics = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+    command = [BROWSER, "--headless=new", "--no-sandbox", *graphics]
+    command += [f"--user-data-dir={tmp_path}", "--disable-dev-shm-usage"]
+    started = []
+
+    def asked(address):
+        (port,) = free_ports(1)
+        started.append(
+            subprocess.Popen(
+                [*command, f"--remote-debugging-port={port}", address],
+                stderr=subprocess.DEVNULL,
+            )
+        )
+
+        def pages():
+            with urlopen(f"http://{LOOPBACK}:{port}/json/list") as answer:
+                return [each["title"] for each in json.load(answer)]
+
+        return pages
+
+    yield asked
+    for process in started:
+        process.kill()
+        process.wait(20)
+
+
+@needs_browser
+@pytest.mark.parametrize(("link", "decision"), [("", 3), ("#when=decision@2", 2)])
+def test_the_viewer_in_a_page_goes_to_the_moment(folder, title, until, link, decision):
+    telling = folder / f"telling_{decision}.html"
+    telling.write_text((folder / "filmed.html").read_text() + TELLS)
+    titles = title(telling.as_uri() + link)
+    until(lambda: f"shows {decision}" in titles(), 120.0)

@@ -1,6 +1,5 @@
 """What the real viewer says of a replay; it needs a graphics driver, not a screen."""
 
-import time
 from pathlib import Path
 
 import numpy as np
@@ -31,22 +30,8 @@ VIEWS = {
 }
 
 
-def until(true, seconds=60.0):
-    """Waits until something holds; viewers start slowly on a busy machine."""
-    end = time.monotonic() + seconds
-    while True:
-        try:
-            if true():
-                return
-        except Exception:  # Rerun's client has no errors of its own to name here.
-            if time.monotonic() > end:
-                raise
-        assert time.monotonic() < end, "waited too long"
-        time.sleep(0.1)
-
-
 @pytest.fixture
-def viewer(monkeypatch, tmp_path):
+def viewer(monkeypatch, tmp_path, until):
     """A viewer without a screen."""
     from rerun.experimental import ViewerClient
 
@@ -85,7 +70,9 @@ def complaints(state):
 
 
 @needs_driver
-def test_the_viewer_shows_every_view_without_a_complaint(viewer, busy_home, tmp_path):
+def test_the_viewer_shows_every_view_without_a_complaint(
+    viewer, busy_home, tmp_path, until
+):
     client, _, _ = viewer
     env = RecordEpisodes(busy_home, tmp_path)
     play(env, 40)
@@ -101,7 +88,7 @@ def test_the_viewer_shows_every_view_without_a_complaint(viewer, busy_home, tmp_
 
 
 @needs_driver
-def test_a_link_opens_a_replay_at_its_moment(viewer, busy_home, tmp_path):
+def test_a_link_opens_a_replay_at_its_moment(viewer, busy_home, tmp_path, until):
     client, _, _ = viewer
     env = RecordEpisodes(busy_home, tmp_path)
     play(env, 40)
@@ -116,7 +103,7 @@ def test_a_link_opens_a_replay_at_its_moment(viewer, busy_home, tmp_path):
 
 
 @needs_driver
-def test_an_episode_can_be_watched_while_it_goes_on(viewer, busy_home, tmp_path):
+def test_an_episode_can_be_watched_while_it_goes_on(viewer, busy_home, tmp_path, until):
     client, url, _ = viewer
     env = RecordEpisodes(busy_home, tmp_path, watch=url, flush_every=10)
     play(env, 40)
