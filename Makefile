@@ -10,8 +10,10 @@ reproduce: .venv/rendering
 	$(BIN)/household reproduce --seeds $(SEEDS) --out $(OUT)
 
 # On all cores, up to eight; a file's tests share what they set up, so they stay together.
+# The order is that of tests/conftest.py.
 test: .venv/developing
-	$(BIN)/pytest --numprocesses logical --maxprocesses 8 --dist loadfile
+	$(BIN)/pytest --numprocesses logical --maxprocesses 8 --dist loadfile \
+	  --no-loadscope-reorder
 
 # The site in build/docs/html, from docs/, docstrings and the code; a warning is an error.
 docs: .venv/documenting

@@ -26,12 +26,39 @@ except HouseholdError as error:
 """
 
 
+Version = tuple[str, int, int]
+"""A file as it is now: its place, when it was written [ns], and its size [bytes]."""
+
+_READ_WELL: set[Version] = set()
+"""What need not be tried again: each time takes a second or two."""
+
+
 def check_readable(*paths: Path | str) -> None:
     """Has another process read replay files, one after the other.
+
+    Files that could be read, and have not changed since, are not tried again.
 
     Raises:
         HouseholdError: If one cannot be read; one line that names the file.
     """
+    found = {path: _version(path) for path in paths}
+    new = [path for path, version in found.items() if version not in _READ_WELL]
+    if new:
+        _try(*new)
+        _READ_WELL.update(filter(None, found.values()))
+
+
+def _version(path: Path | str) -> Version | None:
+    """Of a file; None if there is none."""
+    try:
+        place = Path(path).absolute()
+        now = place.stat()
+    except (OSError, ValueError):
+        return None
+    return str(place), now.st_mtime_ns, now.st_size
+
+
+def _try(*paths: Path | str) -> None:
     command = [sys.executable, "-c", _READ, *map(str, paths)]
     try:
         done = subprocess.run(

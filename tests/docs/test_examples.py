@@ -12,6 +12,7 @@ import shlex
 import subprocess
 import textwrap
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -106,14 +107,30 @@ RUN = Sybil(
 )
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch, root):
-    """An empty folder but for a scenario of one's own: that of docs/scenarios.md."""
-    monkeypatch.chdir(tmp_path)
-    for example in RUN.parse(root / "docs" / "scenarios.md"):
-        if example.region.evaluator is check_scenario:
-            example.evaluate()
-    return tmp_path
+@pytest.fixture(scope="module")
+def run_page(tmp_path_factory, root):
+    """Runs a page's blocks, once, and returns what its Python printed.
+
+    In an empty folder but for a scenario of one's own: that of docs/scenarios.md.
+    """
+
+    @cache
+    def run(page):
+        printed = []
+        with contextlib.chdir(tmp_path_factory.mktemp("page")):
+            for example in RUN.parse(root / "docs" / "scenarios.md"):
+                if example.region.evaluator is check_scenario:
+                    example.evaluate()
+            # The Python of pages on examples is that of files: tests/examples runs it.
+            elsewhere = PythonEvaluator if page.parent.name == "examples" else ()
+            for example in RUN.parse(page):
+                if not isinstance(example.region.evaluator, elsewhere):
+                    example.evaluate()
+                if isinstance(example.region.evaluator, Printing):
+                    printed.append(example.namespace.get("printed", ""))
+        return "".join(printed)
+
+    return run
 
 
 def test_every_block_says_its_language(page, tokens):
@@ -122,12 +139,8 @@ def test_every_block_says_its_language(page, tokens):
     assert languages <= {"python", "output", "sh", "text", "toml"}
 
 
-def test_the_blocks_of_a_page_run_from_top_to_bottom(page, folder):
-    # The Python of pages on examples is that of files, which tests/examples runs.
-    run_elsewhere = PythonEvaluator if page.parent.name == "examples" else ()
-    for example in RUN.parse(page):
-        if not isinstance(example.region.evaluator, run_elsewhere):
-            example.evaluate()
+def test_the_blocks_of_a_page_run_from_top_to_bottom(page, run_page):
+    run_page(page)
 
 
 def test_output_that_is_not_what_was_printed_is_found(tmp_path):
@@ -145,12 +158,9 @@ def test_the_fifteen_lines_of_the_readme_are_fifteen(root):
     assert len(code.splitlines()) == 15
 
 
-def test_in_the_tutorial_on_training_taps_become_fewer(root, folder):
-    found = {}
-    for example in RUN.parse(root / "docs" / "tutorials" / "5_training.md"):
-        if isinstance(example.region.evaluator, Printing):
-            example.evaluate()
-            found |= dict(re.findall(PART, example.namespace["printed"]))
+def test_in_the_tutorial_on_training_taps_become_fewer(root, run_page):
+    printed = run_page(root / "docs" / "tutorials" / "5_training.md")
+    found = dict(re.findall(PART, printed))
     taps = [float(found[part]) for part in "1234"]
     assert len(taps) == 4
     assert sum(taps[1:]) / 3 < 0.8 * taps[0]

@@ -7,6 +7,8 @@ import contextlib
 import os
 import random
 import resource
+import runpy
+import shutil
 import signal
 import subprocess
 import sys
@@ -72,15 +74,37 @@ def drive(program):
     return start
 
 
+@pytest.fixture
+def go_on(tmp_path, monkeypatch, capsys):
+    """Runs the driver to its end in this process; returns how many trials it ran."""
+    script = tmp_path / "driver.py"
+    script.write_text(textwrap.dedent(DRIVER))
+
+    def run(out):
+        words = [str(script), str(out), str(SEEDS), "here", "1"]
+        monkeypatch.setattr(sys, "argv", words)
+        capsys.readouterr()
+        runpy.run_path(str(script), run_name="__main__")
+        return int(capsys.readouterr().out.split()[1])
+
+    return run
+
+
 @pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory):
-    """The files of a run that nothing happened to."""
+def finished(tmp_path_factory):
+    """The directory of a run that nothing happened to."""
     folder = tmp_path_factory.mktemp("undisturbed")
     script, out = folder / "script.py", folder / "out"
     script.write_text(textwrap.dedent(DRIVER))
     command = [sys.executable, script, out, str(SEEDS), "local", "1"]
     subprocess.run(command, check=True, capture_output=True)
-    return results(out)
+    return out
+
+
+@pytest.fixture(scope="module")
+def undisturbed(finished):
+    """The files of that run."""
+    return results(finished)
 
 
 def results(out):
@@ -112,14 +136,14 @@ def test_an_undisturbed_run_stores_every_trial(undisturbed):
 
 
 def test_after_kill_9_of_the_driver_the_same_command_finishes(
-    drive, tmp_path, undisturbed
+    drive, go_on, tmp_path, undisturbed
 ):
     out = tmp_path / "out"
     process = drive(out)
     wait_for(process, 4)
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
-    assert finish(drive, out) <= TRIALS - 4
+    assert go_on(out) <= TRIALS - 4
     assert results(out) == undisturbed
 
 
@@ -167,15 +191,16 @@ def test_of_many_drivers_that_start_at_once_one_finishes(drive, tmp_path, undist
         assert results(out) == undisturbed
 
 
-def test_a_result_cut_at_every_tenth_byte_is_run_again(drive, tmp_path, undisturbed):
+def test_a_result_cut_at_every_tenth_byte_is_run_again(
+    go_on, tmp_path, finished, undisturbed
+):
     """All trials but two, each elsewhere; `test_trial_files` cuts at every place."""
-    out = tmp_path / "out"
-    finish(drive, out)
+    out = shutil.copytree(finished, tmp_path / "out")
     cut = sorted(undisturbed)[:-2]
     for place, name in enumerate(cut):
         length = len(undisturbed[name]) * place // len(cut)
         (out / name).write_bytes(undisturbed[name][:length])
-    assert finish(drive, out) == TRIALS - 2
+    assert go_on(out) == TRIALS - 2
     assert results(out) == undisturbed
 
 
@@ -240,7 +265,7 @@ def test_workers_killed_from_outside_cost_nothing(drive, tmp_path, undisturbed):
 
 
 def test_results_too_large_for_the_disk_are_one_line_and_a_later_run_goes_on(
-    drive, tmp_path, monkeypatch, undisturbed
+    drive, go_on, tmp_path, undisturbed
 ):
     """The system refuses files of more than 40 kB, as a full disk would."""
     out, before = tmp_path / "out", resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -255,20 +280,19 @@ def test_results_too_large_for_the_disk_are_one_line_and_a_later_run_goes_on(
     assert "the disk is full (it needs more than" in complaint
     assert complaint.count("\n") == 1
     assert results(out) == {}
-    finish(drive, out)
+    go_on(out)
     assert results(out) == undisturbed
 
 
 def test_files_from_the_future_and_the_past_are_results_all_the_same(
-    drive, tmp_path, undisturbed
+    go_on, tmp_path, finished, undisturbed
 ):
     """A clock that goes backwards dates files anyhow; nothing looks at that."""
-    out = tmp_path / "out"
-    finish(drive, out)
+    out = shutil.copytree(finished, tmp_path / "out")
     for place, name in enumerate(undisturbed):
         moment = 0 if place % 2 else 4e9
         os.utime(out / name, (moment, moment))
-    assert finish(drive, out) == 0
+    assert go_on(out) == 0
     assert results(out) == undisturbed
 
 
@@ -366,21 +390,19 @@ def test_on_a_disk_that_cannot_be_written_to_every_command_is_one_line(mounted, 
 
 
 def test_after_kill_9_of_a_training_the_same_command_gives_the_same(tmp_path):
-    command = [sys.executable, "-m", "experiments", "train", "experiment_1"]
-    command += ["--decisions", "1500", "--out"]
-    process = subprocess.Popen(
-        [*command, str(tmp_path / "killed")], stdout=subprocess.PIPE, text=True
-    )
-    assert process.stdout.readline().startswith("0 of 1500")
-    assert process.stdout.readline().startswith("150 of 1500")
+    words = ["train", "experiment_1", "--decisions", "1500", "--out"]
+    command = [sys.executable, "-m", "experiments", *words, str(tmp_path / "killed")]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    said = process.stdout.readline()
+    while said.startswith("0 of 1500"):  # again and again, if it has to compile
+        said = process.stdout.readline()
+    assert said.startswith("150 of 1500")
     process.kill()
     process.communicate()
     left = {path.name for path in (tmp_path / "killed").iterdir()}
     assert left <= {".lock", "replay.rrd"}
     for name in ("killed", "fresh"):
-        subprocess.run(
-            [*command, str(tmp_path / name)], check=True, capture_output=True
-        )
+        assert main([*words, str(tmp_path / name)]) == 0
     names = ("robot_0.json", "trial.parquet")
     one, other = (
         [(tmp_path / folder / name).read_bytes() for name in names]

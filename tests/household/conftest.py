@@ -41,7 +41,7 @@ position = [4.5, 1.5]
 """
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def make_busy_home(tmp_path_factory):
     """Makes a flat with three people and two robots that walk about."""
     path = tmp_path_factory.mktemp("scenario") / "busy.toml"

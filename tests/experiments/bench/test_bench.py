@@ -1,5 +1,6 @@
 import io
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from rich.console import Console
@@ -13,6 +14,8 @@ from experiments.bench.measurement import (
 )
 from experiments.bench.report import tables
 from experiments.commands.benchmarking import measure_all
+from experiments.running import engine
+from experiments.running.engine import Engine
 
 TINY = Settings(
     repetitions=2,
@@ -30,10 +33,17 @@ TINY = Settings(
 )
 
 
+def threads(spec, workers):
+    """Trials run at once, too, but nothing has to start; `test_engine` starts it."""
+    return Engine(open=lambda: ThreadPoolExecutor(workers), window=workers)
+
+
 @pytest.fixture(scope="module")
 def measured(tmp_path_factory):
     out = tmp_path_factory.mktemp("bench")
-    measure_all(TINY, out)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(engine, "open_engine", threads)
+        measure_all(TINY, out)
     return out
 
 

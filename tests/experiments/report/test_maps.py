@@ -1,22 +1,34 @@
 """Maps and ablations are shown as far as they were run, in the report and on a page."""
 
+import polars as pl
 import pytest
 
-from experiments import run_study
 from experiments.docs_tools.maps import page
 from experiments.report.maps import ablation_tables, drawn_maps, teacher_table
+from experiments.running.store import Results
 from experiments.studies import teachers
 from experiments.studies.ablations import ABLATIONS, OUTCOMES
 from experiments.studies.maps import MAPS
 
 
 @pytest.fixture(scope="module")
-def mapped(tmp_path_factory):
-    """A directory with one map, one ablation, and one experiment's teachers."""
+def mapped(tmp_path_factory, play_trial):
+    """A directory with one map, one ablation, and one experiment's teachers.
+
+    Trials of the teachers are of a toy home, the others' numbers are made up.
+    """
     out = tmp_path_factory.mktemp("maps")
-    run_study(MAPS["attention"].study((0, 1)), out)
-    run_study(ABLATIONS["rate_representation"].study((0, 1)), out)
-    run_study(teachers.study(1, (0, 1)), out)
+    attention, rates = MAPS["attention"], ABLATIONS["rate_representation"]
+    for study, names in (
+        (attention.study((0, 1)), attention.ids),
+        (rates.study((0, 1)), OUTCOMES),
+        (teachers.study(1, (0, 1)), ()),
+    ):
+        results = Results(out / study.name)
+        results.prepare(study, {})
+        for index, trial in enumerate(study.trials()):
+            made = pl.DataFrame({name: [float(index % 2)] for name in names})
+            results.write(trial, made if names else play_trial(trial, 60))
     return out
 
 

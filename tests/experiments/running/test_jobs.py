@@ -116,32 +116,35 @@ def started(program, out):
     return process
 
 
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
-def test_a_stopped_command_keeps_what_is_done_and_leaves_no_process(
-    program, group_is_empty, tmp_path, how
-):
-    out = tmp_path / "out"
-    process = started(program, out)
-    if how == signal.SIGINT:
-        os.killpg(process.pid, how)  # as a terminal does
-    else:
-        os.kill(process.pid, how)
-    _, said = process.communicate(timeout=30)
-    assert group_is_empty(process.pid)
+def check_stored(out):
+    """Of each condition both trials that can end are there, whole."""
     assert stored(out) == ["seed_0000.parquet"] * 2 + ["seed_0001.parquet"] * 2
     for path in out.rglob("*.parquet"):
         assert len(pl.read_parquet(path)) == 1
-    if how == signal.SIGINT:
-        assert process.returncode == 130
-        assert said.startswith("Stopped. 4 of 8 trials are stored")
-        assert "Traceback" not in said
 
 
-def test_after_a_kill_the_same_command_goes_on_with_what_is_missing(program, tmp_path):
+def test_a_stopped_command_keeps_what_is_done_and_leaves_no_process(
+    program, group_is_empty, tmp_path
+):
+    process = started(program, tmp_path / "out")
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+    _, said = process.communicate(timeout=30)
+    assert group_is_empty(process.pid)
+    check_stored(tmp_path / "out")
+    assert process.returncode == 130
+    assert said.startswith("Stopped. 4 of 8 trials are stored")
+    assert "Traceback" not in said
+
+
+def test_a_killed_one_does_too_and_the_same_command_goes_on_with_what_is_missing(
+    program, group_is_empty, tmp_path
+):
     out = tmp_path / "out"
     process = started(program, out)
     os.kill(process.pid, signal.SIGKILL)
-    process.wait()
+    process.communicate(timeout=30)
+    assert group_is_empty(process.pid)
+    check_stored(out)
     before = {path: path.stat().st_mtime_ns for path in out.rglob("*.parquet")}
     again = program(COMMAND, out)
     said = ""

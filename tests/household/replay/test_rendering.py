@@ -19,17 +19,18 @@ def no_screen(monkeypatch):
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
 
 
-@pytest.fixture
-def recorded(make_busy_home, tmp_path):
+@pytest.fixture(scope="module")
+def recorded(make_busy_home, tmp_path_factory):
     """A short episode: its scenario, its moments and its file."""
-    env = RecordEpisodes(make_busy_home(), tmp_path)
+    folder = tmp_path_factory.mktemp("recorded")
+    env = RecordEpisodes(make_busy_home(), folder)
     env.reset(seed=3)
     moments = [snapshot(env.unwrapped.simulation)]
     for _ in range(12):
         env.step(dict.fromkeys(env.agents, 0))
         moments.append(snapshot(env.unwrapped.simulation))
     env.close()
-    return env.unwrapped.scenario, moments, tmp_path / "episode_00000.rrd"
+    return env.unwrapped.scenario, moments, folder / "episode_00000.rrd"
 
 
 def test_a_picture_of_a_replay_is_the_picture_of_the_episode(recorded, tmp_path):

@@ -181,6 +181,19 @@ def test_a_file_is_tried_out_in_another_process_first(tmp_path, show, monkeypatc
         show(path)
 
 
+def test_a_file_that_was_read_well_is_not_tried_again_until_it_changes(
+    whole, tmp_path, monkeypatch
+):
+    path = tmp_path / "a.rrd"
+    path.write_bytes(whole)
+    assert len(read_replay(path)) > 0
+    monkeypatch.setattr(probing, "_READ", "import os; os.abort()")
+    assert len(read_replay(path)) > 0
+    path.write_bytes(whole + b"x")
+    with pytest.raises(HouseholdError, match="damaged"):
+        read_replay(path)
+
+
 def test_a_message_that_says_it_is_endless_ends_the_file(whole, read):
     head = whole[: chunks.HEADER]
     for length in (2**63, 2**64 - 1, 2**40):

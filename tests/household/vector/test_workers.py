@@ -42,10 +42,11 @@ def within(seconds, condition):
     return True
 
 
-def started(**arguments):
-    """A vector environment with two workers, and their process numbers."""
+def started(workers=1, **arguments):
+    """A vector environment with so many workers, and their process numbers."""
     before = children()
-    envs = vector.make("evening", homes=3, workers=2, seed=1, **arguments)
+    homes = workers + 1
+    envs = vector.make("evening", homes=homes, workers=workers, seed=1, **arguments)
     return envs, children() - before
 
 
@@ -55,7 +56,7 @@ def live_on(envs):
 
 
 def test_close_ends_the_workers_at_once():
-    envs, workers = started()
+    envs, workers = started(2)
     assert len(workers) == 2
     envs.reset()
     envs.close()
@@ -78,7 +79,7 @@ def test_more_workers_than_homes_are_not_started():
 
 
 def test_a_worker_that_is_killed_ends_the_others_and_is_told():
-    envs, workers = started()
+    envs, workers = started(2)
     envs.reset()
     os.kill(max(workers), signal.SIGKILL)
     with pytest.raises(WorkerError, match="has ended, with status -9"):
