@@ -5,7 +5,7 @@ from bisect import bisect_left
 import numpy as np
 
 from household.compiled.arrays import Floats
-from household.simulation.moment import DECISION, Moments, recorded
+from household.simulation.moment import DECISION, Moments, Record, recorded
 from household.simulation.simulation import Simulation
 
 FLUSH_EVERY = 16_000
@@ -17,6 +17,9 @@ MOST_BYTES = 32 << 20
 
 REMEMBERED = 512
 """Decisions for which it is known where the robots were; lines go back no further."""
+
+Held = Record
+"""Moments as the simulation holds them, one after the other."""
 
 
 class Buffer:
@@ -36,10 +39,12 @@ class Buffer:
     def __init__(self, simulation: Simulation, capacity: int) -> None:
         self._simulation, self._now = simulation, simulation.record
         self._capacity = max(1, min(capacity, MOST_BYTES // self._now.itemsize))
-        self._records = np.zeros(self._capacity, self._now.dtype)
+        # Two, so that one can be read while the other is filled.
+        self._records, self._other = np.zeros((2, self._capacity), self._now.dtype)
         self._decisions: list[int] = []
         n_people = len(simulation.scenario.people)
         self._spots = self._records["position"][:, n_people:]
+        self._other_spots = self._other["position"][:, n_people:]
         self._before: tuple[list[int], Floats] = ([], self._spots[:0])
         self.decision = -1
 
@@ -68,19 +73,24 @@ class Buffer:
         x, y = spots[bisect_left(decisions, known), robot].tolist()
         return x, y
 
-    def take(self) -> Moments:
-        """Takes all moments out."""
-        moments, decisions = self.held(), self._decisions
+    def take(self) -> Held:
+        """Takes all moments out; they stay as they are until the next time."""
+        held, decisions = self.held(), self._decisions
         earlier, spots = self._before
         latest = np.concatenate([spots, self._spots[: len(decisions)]])[-REMEMBERED:]
         self._before = [*earlier, *decisions][-REMEMBERED:], latest
         self._decisions = []
-        return moments
+        self._records, self._other = self._other, self._records
+        self._spots, self._other_spots = self._other_spots, self._spots
+        return held
 
-    def held(self) -> Moments:
-        """All moments, which stay where they are."""
+    def held(self) -> Held:
+        """All moments."""
+        return self._records[: len(self._decisions)]
+
+    def moments(self, held: Held) -> Moments:
+        """What is recorded of moments."""
         scenario = self._simulation.scenario
-        records = self._records[: len(self._decisions)]
-        decision = records[DECISION].copy()
+        decision = held[DECISION].copy()
         time: Floats = decision * scenario.decision_period
-        return Moments(decision=decision, time=time, **recorded(records, scenario))
+        return Moments(decision=decision, time=time, **recorded(held, scenario))

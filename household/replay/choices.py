@@ -55,6 +55,10 @@ class Choice:
         return bool(self.values[self.behavior] == self.values.max())
 
 
+Chosen = list[tuple[int, Choice]]
+"""Choices, with the decisions at which they were made."""
+
+
 class Choices:
     """Collects choices and writes them.
 
@@ -69,7 +73,7 @@ class Choices:
         self._behaviors = tuple(scenario.behaviors)
         self._robots = {name: i for i, name in enumerate(scenario.robot_names)}
         self._times = times
-        self._choices: list[tuple[int, Choice]] = []
+        self._choices: Chosen = []
         self._begun: dict[str, Choice] = {}
 
     def add(self, decision: int, choice: Choice) -> None:
@@ -81,18 +85,22 @@ class Choices:
         """
         self._choices.append((decision, choice))
 
-    def send(self, stream: Stream) -> None:
-        """Writes what was added since the last time."""
-        if self._choices:
-            self._send_exact(stream)
-            for robot in self._robots:
-                own = [(at, c) for at, c in self._choices if c.robot == robot]
-                self._send_pages(stream, robot, own)
-            self._send_events(stream)
-            self._choices.clear()
+    def take(self) -> Chosen:
+        """Takes out what was added since the last time."""
+        taken, self._choices = self._choices, []
+        return taken
 
-    def _send_exact(self, stream: Stream) -> None:
-        choices = [choice for _, choice in self._choices]
+    def send(self, stream: Stream, taken: Chosen) -> None:
+        """Writes choices, in the order in which they were taken out."""
+        if taken:
+            self._send_exact(stream, taken)
+            for robot in self._robots:
+                own = [(at, c) for at, c in taken if c.robot == robot]
+                self._send_pages(stream, robot, own)
+            self._send_events(stream, taken)
+
+    def _send_exact(self, stream: Stream, taken: Chosen) -> None:
+        choices = [choice for _, choice in taken]
         numbers: Mapping[str, Sequence[Any]] = {
             "robot": [self._robots[c.robot] for c in choices],
             "behavior": [c.behavior for c in choices],
@@ -105,7 +113,7 @@ class Choices:
         }
         columns = [exact(name, np.array(column)) for name, column in numbers.items()]
         columns.append(words("situation", [c.situation for c in choices]))
-        stream.send("choices", self._times(at for at, _ in self._choices), columns)
+        stream.send("choices", self._times(at for at, _ in taken), columns)
 
     def _known(self, values: Floats | None) -> NDArray[np.float64]:
         return np.full(len(self._behaviors), np.nan) if values is None else values
@@ -130,11 +138,11 @@ class Choices:
         documents = rr.TextDocument.columns(text=pages, media_type=kind)
         stream.send(f"why/{robot}", times, documents)
 
-    def _send_events(self, stream: Stream) -> None:
+    def _send_events(self, stream: Stream, taken: Chosen) -> None:
         import rerun as rr
 
         told: dict[str, list[tuple[int, str, str]]] = {"firsts": [], "minds": []}
-        for at, choice in self._choices:
+        for at, choice in taken:
             for entity, level, text in self._events(choice):
                 told[entity].append((at, level, text))
         for entity, lines in told.items():

@@ -35,7 +35,7 @@ class Marks:
 
         Args:
             first: First decision asked for.
-            last: Last decision asked for; things that are gone by then are forgotten.
+            last: Last decision asked for.
 
         Returns:
             The decisions; the things shown, those of one decision after those of the
@@ -52,8 +52,12 @@ class Marks:
         )
         in_order = np.argsort(moment, kind="stable")
         things = [self.items[i][2] for i in which[in_order].tolist()]
-        self.items = [item for item in self.items if item[0] + self.stay > last]
         return at, things, np.bincount(moment, minlength=len(at))
+
+    def left(self, last: int) -> "Marks":
+        """Those that are still shown after a decision."""
+        items = [item for item in self.items if item[0] + self.stay > last]
+        return Marks(self.stay, items)
 
     def _until(self) -> Integers:
         """The decision at which each goes, or is replaced."""

@@ -64,7 +64,7 @@ def send_names(
         moments.position[where], _radii(scenario), sizes, _bounds(scenario)
     )
     times = (moments.decision[where], moments.time[where])
-    leaders = np.stack([moments.position[where], centers], axis=2)
+    leaders = _leaders(moments.position[where], centers, sizes)
     lines = strips(rr.LineStrips2D.descriptor_strips(), leaders)
     stream.send("world/leaders", times, [lines])
     centers[..., 1] += sizes[..., 1] / 2
@@ -77,10 +77,22 @@ def send_names(
 def _told(moments: Moments, felt: Sequence[Felt], n_robots: int) -> Integers:
     """Which touch each robot's name tells, shape (n_moments, n_robots); 0 is none."""
     told = np.zeros((len(moments), n_robots), np.int64)
-    for number, each in enumerate(felt, start=1):
-        begin, end = np.searchsorted(moments.decision, [each.begin, each.end])
+    spans = [each[:2] for each in felt]
+    rows = np.searchsorted(moments.decision, spans).tolist()
+    for number, ((begin, end), each) in enumerate(zip(rows, felt, strict=True), 1):
         told[begin:end, each.robot] = number
     return told
+
+
+def _leaders(position: Floats, centers: Floats, sizes: Floats) -> Floats:
+    """Lines from bodies to the edges of their names, (n_moments, n, 2, 2) [m].
+
+    What is behind a name shines through it in the viewer.
+    """
+    toward = position - centers
+    with np.errstate(divide="ignore"):
+        share = (sizes / 2 / np.abs(toward)).min(axis=-1, keepdims=True)
+    return np.stack([position, centers + np.minimum(share, 1.0) * toward], axis=2)
 
 
 def _send_texts(
@@ -123,11 +135,12 @@ def _sizes(scenario: Scenario, told: Integers, felt: Sequence[Felt]) -> Floats:
     letters += [len(name) + longest for name in scenario.robot_names]
     n = len(scenario.people)
     sizes = np.empty((len(told), len(letters), 2))
-    sizes[..., 0], sizes[..., 1] = letters, LINE
-    second = np.array([0, *(len(each.text) for each in felt)])[told]
-    sizes[:, n:, 0] = np.maximum(sizes[:, n:, 0], second)
-    sizes[:, n:, 1] += SECOND * (second > 0)
-    sizes[..., 0] = LETTER * sizes[..., 0] + PAD
+    sizes[:] = np.array([[LETTER * count + PAD, LINE] for count in letters])
+    lengths = np.array([len(each.text) for each in felt])
+    at, robot = np.nonzero(told)
+    second = LETTER * lengths[told[at, robot] - 1] + PAD
+    sizes[at, n + robot, 0] = np.maximum(sizes[at, n + robot, 0], second)
+    sizes[at, n + robot, 1] += SECOND
     return sizes / scale
 
 

@@ -2,27 +2,25 @@
 
 import atexit
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from functools import lru_cache, partial
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
-from household.compiled.arrays import Floats
 from household.replay.aside import Aside
 from household.replay.blueprint import blueprint
-from household.replay.buffer import FLUSH_EVERY, Buffer
-from household.replay.choices import Choice, Choices
-from household.replay.events import Belief, Events
+from household.replay.buffer import FLUSH_EVERY, Buffer, Held
+from household.replay.choices import Choice, Choices, Chosen
+from household.replay.events import Belief, Events, Happened
 from household.replay.moments import send_moments, send_state
-from household.replay.names import Felt
 from household.replay.process import open_viewer
 from household.replay.scenery import send_scenery
 from household.replay.situations import Situations
 from household.replay.stream import Stream, Times, saved_blueprint, times_of
+from household.replay.telling import Telling
 from household.scenario.scenario import Scenario
-from household.simulation.moment import Moments
 from household.simulation.simulation import Simulation
 from household.simulation.snapshot import touches
 
@@ -58,7 +56,7 @@ class Recorder:
         scenario = simulation.scenario
         self._scenario, self._robots = scenario, simulation.robots
         self._buffer = Buffer(simulation, flush_every)
-        self._events = Events(scenario, self._buffer)
+        self._events, self._telling = Events(scenario, self._buffer), Telling(scenario)
         self._total = np.zeros(len(scenario.robots))
         self._situations = Situations(scenario)
         self._choices = Choices(scenario, self._times)
@@ -80,7 +78,7 @@ class Recorder:
         live = self._watch
         # First what is read back, so that no file that a kill cuts off is empty.
         self._stream.describe(scenario=text.decode())
-        send_state(self._stream, self._buffer.held())
+        send_state(self._stream, self._buffer.moments(self._buffer.held()))
         self._stream.flush()  # Else Rerun writes it where it likes.
         self._stream.send_blueprint(_blueprint(text, learns, live, self._stream.kind))
         send_scenery(self._stream, scenario, learns)
@@ -117,19 +115,19 @@ class Recorder:
     def _taken(self) -> Callable[[], None]:
         """Takes everything so far; returns what gives it to Rerun."""
         self._aside.wait()
-        moments = self._buffer.take()
-        felt = self._events.felt()
-        self._events.send(self._stream)
-        self._choices.send(self._stream)
-        total = self._total
-        self._total = total + moments.reward.sum(axis=0)
+        held, happened = self._buffer.take(), self._events.take()
         self._written = time.monotonic()
+        return partial(self._send, held, happened, self._choices.take())
+
+    def _send(self, held: Held, happened: Happened, chosen: Chosen) -> None:
+        self._telling.send(self._stream, happened)
+        self._choices.send(self._stream, chosen)
         # After those, so that what a kill leaves of a file has all that belongs to the
         # moments in it.
-        return partial(self._send, moments, total, felt)
-
-    def _send(self, moments: Moments, total: Floats, felt: Sequence[Felt]) -> None:
+        moments, total = self._buffer.moments(held), self._total
+        self._total = total + moments.reward.sum(axis=0)
         if len(moments):
+            felt = self._telling.felt(happened)
             send_moments(self._stream, self._scenario, moments, total, felt)
             self._situations.send(self._stream, moments)
 

@@ -45,22 +45,35 @@ class Situations:
         import rerun as rr
 
         looks = self._looks(moments.attends)
-        at, which = [], []
-        among: dict[str, int] = {}
         where = changes(moments.activity, looks)
-        keys = zip(
-            _bytes_of(moments.activity[where]), _bytes_of(looks[where]), strict=True
-        )
-        for row, (activity, look) in zip(where.tolist(), keys, strict=True):
-            text = self._text(activity, look)
-            if text != self._last:
-                self._last = text
-                which.append(among.setdefault(text, len(among)))
-                at.append(row)
+        among, which = self._texts(moments.activity[where], looks[where])
+        told = changes(which)
+        if self._last == among[which[0]]:
+            told = told[1:]
+        self._last = among[which[-1]]
+        at = where[told]
         times = moments.decision[at], moments.time[at]
-        kind, indices = rr.TextDocument.descriptor_text(), np.array(which, np.int64)
-        column = texts(kind, list(among), indices[:, None])
+        kind = rr.TextDocument.descriptor_text()
+        column = texts(kind, among, which[told, None])
         stream.send("situation", times, [column])
+
+    def _texts(
+        self, activity: NDArray[np.int64], looks: Mask
+    ) -> tuple[list[str], NDArray[np.int64]]:
+        """The different situations in words, and which of them each moment has."""
+        parts = [_rows_of(activity), _rows_of(looks)]
+        rows = np.concatenate(parts, axis=1)
+        whole = rows.view(np.dtype((np.void, rows.shape[1])))[:, 0]
+        _, first, which = np.unique(whole, return_index=True, return_inverse=True)
+        among: dict[str, int] = {}
+        numbers = [
+            among.setdefault(
+                self._text(parts[0][row].tobytes(), parts[1][row].tobytes()),
+                len(among),
+            )
+            for row in first.tolist()
+        ]
+        return list(among), np.array(numbers, np.int64)[which]
 
     def _looks(self, attends: Mask) -> Mask:
         """The part of the attention that situations contain.
@@ -105,7 +118,7 @@ class Situations:
         return str(Situation((), seen[view].attends))
 
 
-def _bytes_of(values: NDArray[Any]) -> list[bytes]:
-    """Each row's bytes, as keys."""
-    whole, width = values.tobytes(), values[:1].nbytes
-    return [whole[i * width : (i + 1) * width] for i in range(len(values))]
+def _rows_of(values: NDArray[Any]) -> NDArray[np.uint8]:
+    """The bytes of each row."""
+    flat = np.ascontiguousarray(values).reshape(len(values), -1)
+    return flat.view(np.uint8)

@@ -52,6 +52,22 @@ class Box(NamedTuple):
     height: float
 
 
+class Drawn(NamedTuple):
+    """What is drawn at a moment.
+
+    Attributes:
+        position: Of bodies, shape (n, 2) [m].
+        radius: Of bodies, shape (n,) [m].
+        size: Width and height of names, shape (n, 2) [m].
+        bounds: Of the drawing: left, bottom, right, top [m].
+    """
+
+    position: Floats
+    radius: Floats
+    size: Floats
+    bounds: Floats
+
+
 @compiled_aside
 def place_labels(
     position: Floats, radius: Floats, size: Floats, bounds: Floats
@@ -74,29 +90,38 @@ def place_labels(
     centers = np.empty((moments, n, 2))
     before = np.full(n, -1, np.int64)
     for t in range(moments):
+        drawn = Drawn(position[t], radius, size[t], bounds)
         for i in range(n):
-            best, least = 0, np.inf
             whole = size[t, i, 0] * size[t, i, 1]
+            best, least, leaving = 0, np.inf, 0.0
+            if before[i] >= 0:  # First, since hardly any other is better.
+                best, leaving = before[i], LOYAL * whole
+                least = FAR * best * whole + _cost(i, best, drawn, centers[t])
             for k in range(len(PLACES)):
-                cost = FAR * k * whole
-                if before[i] not in (-1, k):
-                    cost += LOYAL * whole
+                cost = FAR * k * whole + leaving
                 if cost >= least:
-                    continue
-                box = _box(position[t, i], radius[i], size[t, i], k)
-                cost += 4.0 * _outside(box, bounds)
-                cost += _covered(box, i, position[t], radius, centers[t], size[t])
-                if cost < least:
-                    best, least = k, cost
+                    break  # Those that follow cost more.
+                if k != before[i]:
+                    cost += _cost(i, k, drawn, centers[t])
+                    if cost < least:
+                        best, least = k, cost
             before[i] = best
-            box = _box(position[t, i], radius[i], size[t, i], best)
+            box = _box(i, best, drawn)
             centers[t, i, 0], centers[t, i, 1] = box.x, box.y
     return centers
 
 
 @compiled
-def _box(body: Floats, radius: float, size: Floats, place: int) -> Box:
+def _cost(i: int, place: int, drawn: Drawn, centers: Floats) -> float:
+    """What it costs to have a name in a place: what would be covered, or be outside."""
+    box = _box(i, place, drawn)
+    return 4.0 * _outside(box, drawn.bounds) + _covered(box, i, drawn, centers)
+
+
+@compiled
+def _box(i: int, place: int, drawn: Drawn) -> Box:
     """The box of a name in one of its places."""
+    body, radius, size = drawn.position[i], drawn.radius[i], drawn.size[i]
     width, height = size[0] / 2, size[1] / 2
     aside, along = PLACES[place, 0], PLACES[place, 1]
     # Beside the body a name is clear of it; above and below it may be shifted half.
@@ -116,10 +141,9 @@ def _outside(box: Box, bounds: Floats) -> float:
 
 
 @compiled
-def _covered(
-    box: Box, i: int, position: Floats, radius: Floats, centers: Floats, size: Floats
-) -> float:
+def _covered(box: Box, i: int, drawn: Drawn, centers: Floats) -> float:
     """Area of earlier names, which weigh more, and of bodies that are covered [m2]."""
+    position, radius, size = drawn.position, drawn.radius, drawn.size
     total = 0.0
     for j in range(len(position)):
         body = Box(position[j, 0], position[j, 1], radius[j], radius[j])

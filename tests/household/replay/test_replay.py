@@ -121,7 +121,7 @@ def test_marks_stay_for_a_while_or_until_another_takes_their_place():
     groups = np.split(things, np.cumsum(sizes)[:-1])
     told = dict(zip(at.tolist(), [sorted(g.tolist()) for g in groups], strict=True))
     assert told == {1: ["x"], 2: ["x", "y"], 3: ["y", "z"], 7: ["z"], 8: []}
-    assert [thing for _, _, thing in marks.items] == ["w"]
+    assert [thing for _, _, thing in marks.left(10).items] == ["w"]
 
 
 def test_only_parallel_households_are_recorded(tmp_path):
