@@ -95,7 +95,8 @@ def in_words(at: Estimate) -> str:
         low = "never" if math.isinf(at.low) else f"{at.low:.2f}"
         return f"never turns from gain to harm (interval from {low})"
     if at.value == 0.0:
-        return f"gains nothing even among equals (interval up to {_end(at.high)})"
+        high = "without an end" if math.isinf(at.high) else f"up to {at.high:.2f}"
+        return f"gains nothing even among equals (interval {high})"
     return (
         f"turns from gain to harm at h = {at.value:.2f} "
         f"[{_end(at.low)}, {_end(at.high)}]"
