@@ -46,9 +46,25 @@ def test_the_readme_shows_results_as_they_are_stored(root, read):
     assert f"{held} of {claims} claims hold" in read("results.md")
 
 
+def test_the_readme_says_of_what_carries_over_what_was_found(root, read):
+    text = (root / "README.md").read_text("utf-8")
+    answer = text.partition("## What carries over")[2].partition("\n## ")[0]
+    shown = re.findall(r"\d\.\d\d \[\d\.\d\d, \d\.\d\d\]", answer)
+    assert len(shown) == 2
+    stored = read("generalization.md")
+    gain, turn = shown
+    assert (
+        f"pooled views within hearing serve strangers. Found: a difference of {gain}"
+    ) in stored
+    assert (
+        "After 20 touches, new people: within hearing, full against within hearing, "
+        f"none turns from gain to harm at h = {turn}."
+    ) in stored
+
+
 def test_tutorials_count_personas_and_learners_as_they_are(read):
-    assert "lists seventeen" in read("tutorials/3_your_own_home.md")
-    assert len(shipped("persona")) == 17
+    assert "lists nineteen" in read("tutorials/3_your_own_home.md")
+    assert len(shipped("persona")) == 19
     assert "some forty more" in read("tutorials/2_learning.md")
     assert 35 < len(CATALOG) - 2 < 45
 

@@ -16,7 +16,7 @@ SECTIONS: Mapping[str, Sequence[str]] = {
     "The simulation": ("environment", "scenarios", "homes", "people"),
     "Homes and families": ("suite", "families/index", "homes/index"),
     "Learning": ("learners", "equations", "many_people", "generalization"),
-    "Findings": ("results", "maps", "deviations", "validation"),
+    "Findings": ("results", "generalization", "maps", "deviations", "validation"),
     "Tools": ("replay", "performance", "reliability", "scale"),
     "Examples": ("examples/index", "examples/*", "libraries"),
     "Reference": ("reference/index", "architecture", "dependencies"),
