@@ -1,8 +1,13 @@
 from experiments.commands.reproducing import Reproduce
 from experiments.paper import EXPERIMENTS
+from experiments.studies import sensitivity
 
 
-def test_the_command_adds_what_it_is_asked_for_with_the_same_seeds():
+def test_the_command_adds_what_it_is_asked_for_with_the_same_seeds(
+    variants, monkeypatch
+):
+    monkeypatch.setattr(sensitivity, "variants", variants)
+
     def studies(**asked):
         command = Reproduce(experiments=("1",), seeds=3, **asked)
         return command._studies((EXPERIMENTS[1],))

@@ -23,7 +23,10 @@ def test_a_factorial_with_missing_trials_is_not_shown(stored):
     assert summarize_factorial(stored) == ()
 
 
-def test_the_sensitivity_table_marks_verdicts_that_change(stored, varied, plain_table):
+def test_the_sensitivity_table_marks_verdicts_that_change(
+    stored, varied, plain_table, variants, monkeypatch
+):
+    monkeypatch.setattr(sensitivity, "variants", variants)
     frame = plain_table
     assert summarize_sensitivity(stored, {1: frame}).firm == ("1a", "1b", "1c")
     kept = stored / varied.name / "verdicts.json"
