@@ -117,7 +117,7 @@ INQUIRY = Inquiry(
             20,
         ),
         _harm(
-            "After 100 touches it still is.",
+            "After 100 touches a robot that begins anew still is ahead.",
             "views: silence is no touch",
             100,
         ),

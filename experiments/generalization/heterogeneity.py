@@ -127,7 +127,7 @@ INQUIRY = Inquiry(
             touches=0,
         ),
         _contrast(
-            "Where everybody has a taste of its own, it harms.",
+            "Where everybody has a taste of its own, a canonical form harms.",
             "whole situation",
             "canonical",
             new="swap",
@@ -143,7 +143,8 @@ INQUIRY = Inquiry(
             touches=0,
         ),
         _contrast(
-            "Where everybody has a taste of its own, they harm after 20 touches.",
+            "Where everybody has a taste of its own, pooled views harm after 20 "
+            "touches.",
             "within hearing, none",
             "within hearing, full",
             new="new people",
@@ -151,7 +152,8 @@ INQUIRY = Inquiry(
             touches=20,
         ),
         _contrast(
-            "Hierarchical pooling does less harm than full pooling there.",
+            "Hierarchical pooling does less harm than full pooling where everybody "
+            "has a taste of its own.",
             "within hearing, hierarchical",
             "within hearing, full",
             new="new people",
@@ -159,7 +161,7 @@ INQUIRY = Inquiry(
             touches=20,
         ),
         _contrast(
-            "It loses nothing to speak of among equals: full pooling is better.",
+            "Among equals, full pooling is better than hierarchical pooling.",
             "within hearing, full",
             "within hearing, hierarchical",
             new="new people",

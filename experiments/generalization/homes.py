@@ -68,7 +68,10 @@ INQUIRY = Inquiry(
             "Views lose in a new home.", "within hearing, full", "new home", "heard"
         ),
         _contrast(
-            "They lose in a larger one.", "within hearing, full", "larger home", "heard"
+            "Views lose in a larger home.",
+            "within hearing, full",
+            "larger home",
+            "heard",
         ),
         _contrast(
             "Without hearing in the situation, a new home takes nothing.",

@@ -87,14 +87,15 @@ INQUIRY = Inquiry(
             harm=False,
         ),
         _contrast(
-            "It harms where everybody has a taste of its own.",
+            "What was learned of others harms where everybody has a taste of its own.",
             "within hearing, full",
             "1",
             20,
             harm=True,
         ),
         _contrast(
-            "Hierarchical pooling is not harmed there.",
+            "Hierarchical pooling is not harmed where everybody has a taste of its "
+            "own.",
             "within hearing, hierarchical",
             "1",
             20,

@@ -60,7 +60,7 @@ INQUIRY = Inquiry(
             "swap",
         ),
         contrast(
-            "It harms where the swapped people want different things.",
+            "A canonical form harms where the swapped people want different things.",
             "whole situation",
             "canonical",
             "swap, opposed people",
@@ -72,7 +72,8 @@ INQUIRY = Inquiry(
             "swap",
         ),
         contrast(
-            "It does less harm than a canonical form where people disagree.",
+            "Adaptive analogy does less harm than a canonical form where people "
+            "disagree.",
             "adaptive analogy",
             "canonical",
             "swap, opposed people",
@@ -84,7 +85,7 @@ INQUIRY = Inquiry(
             "swap",
         ),
         contrast(
-            "They carry over to pairs of roles that are new.",
+            "Views within hearing carry over to pairs of roles that are new.",
             "within hearing, full",
             "canonical",
             "new roles",

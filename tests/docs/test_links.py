@@ -54,3 +54,13 @@ def test_every_page_and_picture_of_the_documentation_is_linked_to(root, tokens):
     kinds = (".md", ".svg", ".png", ".gif", ".mp4", ".webp")
     files = {path for path in (root / "docs").rglob("*") if path.suffix in kinds}
     assert {path.name for path in files - linked} == set()
+
+
+def test_every_table_has_its_rule_below_the_first_row(page):
+    lines = ["", *page.read_text("utf-8").splitlines()]
+    first = [
+        number
+        for number, (above, line) in enumerate(pairwise(lines), start=1)
+        if line.startswith("|") and not above.startswith("|")
+    ]
+    assert [lines[n] for n in first if not lines[n + 1].startswith("| --")] == []
