@@ -49,10 +49,9 @@ def test_the_readme_shows_results_as_they_are_stored(root, read):
 def test_the_readme_says_of_what_carries_over_what_was_found(root, read):
     text = (root / "README.md").read_text("utf-8")
     answer = text.partition("## What carries over")[2].partition("\n## ")[0]
-    shown = re.findall(r"\d\.\d\d \[\d\.\d\d, \d\.\d\d\]", answer)
-    assert len(shown) == 2
+    shown = re.findall(r"\d\.\d\d\s\[\d\.\d\d, \d\.\d\d\]", answer)
+    gain, turn, cost = (" ".join(estimate.split()) for estimate in shown)
     stored = read("generalization.md")
-    gain, turn = shown
     assert (
         f"pooled views within hearing serve strangers. Found: a difference of {gain}"
     ) in stored
@@ -60,6 +59,7 @@ def test_the_readme_says_of_what_carries_over_what_was_found(root, read):
         "After 20 touches, new people: within hearing, full against within hearing, "
         f"none turns from gain to harm at h = {turn}."
     ) in stored
+    assert f"harm after 20 touches. Not found: a difference of {cost}" in stored
 
 
 def test_tutorials_count_personas_and_learners_as_they_are(read):
