@@ -64,14 +64,18 @@ def curves(
         column: The score.
     """
     levels = [None] if panels is None else _levels(frame, panels)
+    names = _levels(frame, series)
 
     def draw(axes: Axes, level: str | None) -> None:
         rows = frame if panels is None else frame.filter(pl.col(panels) == level)
-        for number, name in enumerate(_levels(rows, series)):
-            _line(axes, rows.filter(pl.col(series) == name), x, (name, number), column)
+        there = set(_levels(rows, series))
+        for number, name in enumerate(names):
+            if name in there:
+                own = rows.filter(pl.col(series) == name)
+                _line(axes, own, x, (name, number), column)
         axes.axhline(0.0, color=INK, linewidth=0.8)
         axes.set_xlabel(label)
-        axes.set_title("" if level is None else str(level))
+        axes.set_title(_title(level, panels))
 
     return _arranged(levels, draw, "probe score: random 0, best 1")
 
@@ -198,6 +202,19 @@ def _arranged(
         for axes in grid[::columns]:
             axes.set_ylabel(label)
         if legend:
-            handles, names = grid[0].get_legend_handles_labels()
-            figure.legend(handles, names, loc="outside right upper", frameon=False)
+            known = {
+                name: handle
+                for axes in grid
+                for handle, name in zip(*axes.get_legend_handles_labels(), strict=True)
+            }
+            figure.legend(
+                known.values(), known, loc="outside right upper", frameon=False
+            )
     return figure
+
+
+def _title(level: str | None, factor: str | None) -> str:
+    """What a panel is of; of a number alone nobody would know."""
+    if level is None:
+        return ""
+    return f"{factor}: {level}" if str(level).isdigit() else str(level)

@@ -82,17 +82,21 @@ INQUIRY = Inquiry(
             2,
         ),
         _contrast(
-            "Four gain, too.", "within hearing, full", "shared", "independent", 4
+            "Four robots with views gain from one table.",
+            "within hearing, full",
+            "shared",
+            "independent",
+            4,
         ),
         _contrast(
-            "Two with situations gain from one table.",
+            "Two robots with situations gain from one table.",
             "canonical",
             "shared",
             "independent",
             2,
         ),
         _contrast(
-            "Two with situations gain from what is carried over.",
+            "Two robots with situations gain from what is carried over.",
             "canonical",
             "carried",
             "independent",
