@@ -179,6 +179,7 @@ def _largest(settings: Settings) -> Iterator[Measurement]:
             name=f"that / 4 + 2{how}",
             unit="x",
             values=ratios(times["large"], times["small"]),
+            at_most=20.0,
         )
 
 

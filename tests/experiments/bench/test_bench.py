@@ -102,6 +102,8 @@ def test_every_budget_that_can_be_checked_without_peers_is_there(told):
         "step / 10 x Space.step",
         "that / T",
         "that / T, never finishing",
+        "that / 4 + 2",
+        "that / 4 + 2, never finishing",
         "recorded step / plain step",
         "designated / bare",
         "hierarchical_thompson / bare",
