@@ -30,9 +30,7 @@ COLORS: Mapping[str, str] = {
     "nested": "#1b9e77",
     "per person": "#c51b7d",
     "network per person": "#b2182b",
-    "network per person, plenty": "#b2182b",
     "PPO": "#2b2b2b",
-    "PPO, plenty": "#2b2b2b",
     "untrained": "#7a7f87",
 }
 """One color for one learner, in every figure."""

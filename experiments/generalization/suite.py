@@ -2,21 +2,19 @@
 
 In each family a robot learns in two households and moves to one with other people, in
 another home, with other roles; it adapts for 20 touches and then lives there. Networks
-(extra `deep`) do so, too, and apart from that once more after plenty of training.
+(extra `deep`) do so, too; what they reach with plenty of training is in `deep`.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import polars as pl
 
 from experiments.analysis.preregistered import Contrast, Result
-from experiments.generalization.building import every, with_plenty
+from experiments.generalization.building import every
 from experiments.generalization.drawing import bars
 from experiments.generalization.inquiry import Inquiry
 from experiments.generalization.learners import LEARNERS, NETWORKS
-from experiments.phases.records import Phases, Probing, Training
+from experiments.phases.records import Probing, Training
 from experiments.phases.world import World
 from household.config.toml import shipped
 
@@ -45,29 +43,6 @@ CASES = {
 }
 
 REFERENCES = ("random", "persona", "population", "lookahead")
-
-PLENTY = ", plenty"
-"""What the name of a network ends with that was trained for longer."""
-
-
-def conditions() -> tuple[Phases, ...]:
-    """Returns learners, references, networks, and networks with plenty."""
-    networks = every(NETWORKS, CASES, ("family",), ())
-    return (
-        *every(LEARNERS, CASES, ("family",), REFERENCES),
-        *networks,
-        *map(_with_plenty, networks),
-    )
-
-
-def _with_plenty(condition: Phases) -> Phases:
-    learner = condition.factors["learner"] + PLENTY
-    return replace(
-        condition,
-        name=f"{condition.name}-plenty",
-        factors={**condition.factors, "learner": learner},
-        training=with_plenty(condition.training),
-    )
 
 
 def lived_share(frame: pl.DataFrame, learner: str) -> float:
@@ -114,7 +89,7 @@ def _contrast(text: str, more: str, less: str) -> Contrast:
 INQUIRY = Inquiry(
     name="suite",
     question="Which learner is best over the whole suite?",
-    conditions=conditions(),
+    conditions=every((*LEARNERS, *NETWORKS), CASES, ("family",), REFERENCES),
     contrasts=(
         _contrast(
             "Views within hearing beat canonical situations.",
