@@ -20,7 +20,7 @@ from experiments.running.study import Trial
 FILM_SIZE = (960, 540)
 """Width and height [pixels]."""
 
-FILM_SPEED, FILM_FPS = 30.0, 15.0
+FILM_SPEED, FILM_FPS = 30.0, 10.0
 """How many times as fast as the trial its film is, and frames in a second: 40 s for the
 20 minutes of most experiments."""
 

@@ -13,6 +13,7 @@ from numba import njit
 
 from household.compiled.packing import Packed, unpack, words_of
 from household.compiled.patience import PATIENCE
+from household.compiled.sharing import Later, turn_at
 from household.compiled.signature import (
     Sizes,
     check_of,
@@ -135,16 +136,32 @@ def _bound(
 def compile_for(
     function: Any,  # noqa: ANN401 - a dispatcher of Numba, which is not annotated
     kinds: tuple[Any, ...],
+    *,
+    wait: bool = False,
 ) -> Callable[..., Any]:
     """A compiled function for arguments of these kinds, from disk if it is there.
 
-    Whoever waits for the compiler is told so.
+    Whoever waits for the compiler is told so. If another process compiles it just now,
+    it is waited for at the first call, unless it is to be at once.
     """
-    begin, before = time.perf_counter(), _n_compiled(function)
-    found = function.compile(kinds)
-    if _n_compiled(function) > before:
-        PATIENCE.add(time.perf_counter() - begin)
-    return cast("Callable[..., Any]", found)
+    if kinds in function.overloads:
+        return cast("Callable[..., Any]", function.compile(kinds))
+    with turn_at(_turn_of(function), wait=wait) as mine:
+        if not mine:
+            return Later(partial(compile_for, function, kinds, wait=True))
+        begin, before = time.perf_counter(), _n_compiled(function)
+        found = function.compile(kinds)
+        if _n_compiled(function) > before:
+            PATIENCE.add(time.perf_counter() - begin)
+        return cast("Callable[..., Any]", found)
+
+
+def _turn_of(function: Any) -> Path | None:  # noqa: ANN401
+    """What stands for compiling a function; nothing where it cannot be kept."""
+    folder = function.stats.cache_path
+    if folder is None:
+        return None
+    return Path(folder) / f"{function.__module__}.{function.__name__}.lock"
 
 
 def _n_compiled(function: Any) -> int:  # noqa: ANN401
