@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import Generic, TypeVar
 
 import numpy as np
 import polars as pl
@@ -12,6 +14,8 @@ from experiments.analysis import measures, social
 from experiments.analysis.measures import Measure
 from experiments.analysis.statistics import Estimate, FloatArray, mean, proportion
 from experiments.analysis.target_situations import TargetSituation
+
+T = TypeVar("T")
 
 BEYOND = "Beyond the paper"
 
@@ -81,15 +85,18 @@ def evaluations(
     """
     methods = [*_methods(situations, measures.behaviors(frame)), *further]
     methods.sort(key=lambda method: METHODS.index(method.name))
+    trials = {name: measures.trials_of(frame, name) for name in conditions}
     return tuple(
-        _evaluated(method, frame, condition)
+        _evaluated(method, trials[condition], condition)
         for method in methods
         for condition in conditions
     )
 
 
-def _evaluated(method: Method, frame: pl.DataFrame, condition: str) -> Evaluation:
-    values = measures.per_seed(frame, condition, method.measure)
+def _evaluated(
+    method: Method, trials: Sequence[pl.DataFrame], condition: str
+) -> Evaluation:
+    values = np.array([float(method.measure(trial)) for trial in trials])
     known = values[~np.isnan(values)]
     return Evaluation(
         method=method.name,
@@ -114,17 +121,19 @@ def _methods(
                 measure=_frequency(sign, quarter),
             )
     for situation in situations:
+        found = _Remembered(situation.find)
+        values = _Remembered(partial(_values_at_end, found))
         yield Method(
             name="Q-table",
             text=f"{situation.name}: converged",
-            measure=_of(situation, measures.converged),
+            measure=_of(found, measures.converged),
             is_share=True,
             estimate=proportion,
         )
         yield Method(
             name="Q-table",
             text=f"{situation.name}: right behavior has the highest Q at the end",
-            measure=_of(situation, social.ordered),
+            measure=_of(found, social.ordered),
             is_share=True,
             estimate=proportion,
         )
@@ -132,18 +141,18 @@ def _methods(
             yield Method(
                 name="Q-table",
                 text=f"{situation.name}: final Q of {behavior.replace('_', ' ')}",
-                measure=_final_q(situation, behavior),
+                measure=partial(_final_q, values, behavior),
             )
         yield Method(
             name=BEYOND,
             text=f"{situation.name}: right choices in the last quarter",
-            measure=_of(situation, social.right_share),
+            measure=_of(found, social.right_share),
             is_share=True,
         )
         yield Method(
             name=BEYOND,
             text=f"{situation.name}: greedy choices that would be right, last quarter",
-            measure=_of(situation, social.greedy_right),
+            measure=_of(found, social.greedy_right),
             is_share=True,
         )
     yield Method(
@@ -166,18 +175,43 @@ def _frequency(sign: int, quarter: int) -> Measure:
     return measure
 
 
+class _Remembered(Generic[T]):
+    """Says of a trial once what a function says of it, for several measures.
+
+    Args:
+        function: Takes the table of a trial, which stays as it is.
+    """
+
+    def __init__(self, function: Callable[[pl.DataFrame], T]) -> None:
+        self._function = function
+        self._known: dict[int, tuple[pl.DataFrame, T]] = {}
+
+    def __call__(self, trial: pl.DataFrame) -> T:
+        # With the trial itself beside it, no other one gets its identity.
+        if id(trial) not in self._known:
+            self._known[id(trial)] = trial, self._function(trial)
+        return self._known[id(trial)][1]
+
+
 def _of(
-    situation: TargetSituation, measure: Callable[[pl.DataFrame, str | None], float]
+    found: Callable[[pl.DataFrame], str | None],
+    measure: Callable[[pl.DataFrame, str | None], float],
 ) -> Measure:
-    return lambda trial: measure(trial, situation.find(trial))
+    return lambda trial: measure(trial, found(trial))
 
 
-def _final_q(situation: TargetSituation, behavior: str) -> Measure:
-    def measure(trial: pl.DataFrame) -> float:
-        _, values = measures.q_curve(trial, situation.find(trial), behavior)
-        return float(values[-1]) if len(values) else 0.0
+def _values_at_end(
+    found: Callable[[pl.DataFrame], str | None], trial: pl.DataFrame
+) -> dict[str, float]:
+    return measures.final_q(trial, found(trial))
 
-    return measure
+
+def _final_q(
+    values: Callable[[pl.DataFrame], dict[str, float]],
+    behavior: str,
+    trial: pl.DataFrame,
+) -> float:
+    return values(trial).get(behavior, 0.0)
 
 
 def _opinion(trial: pl.DataFrame) -> float:

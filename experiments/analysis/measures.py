@@ -50,9 +50,13 @@ def per_seed(frame: pl.DataFrame, condition: str, measure: Measure) -> FloatArra
     Returns:
         Shape (n_seeds,).
     """
+    return np.array([float(measure(trial)) for trial in trials_of(frame, condition)])
+
+
+def trials_of(frame: pl.DataFrame, condition: str) -> list[pl.DataFrame]:
+    """Returns the tables of the trials of a condition, in the order of the seeds."""
     chosen = frame.filter(pl.col("condition") == condition)
-    trials = chosen.sort("seed", maintain_order=True).partition_by("seed")
-    return np.array([float(measure(trial)) for trial in trials])
+    return chosen.sort("seed", maintain_order=True).partition_by("seed")
 
 
 def of(condition: str, measure: Measure, *, label: str | None = None) -> StudyMeasure:
@@ -142,15 +146,9 @@ def q_curve(
     met = trial.filter(pl.col("situation") == pl.lit(situation, pl.String)).head(1)
     if met.is_empty():
         return np.empty(0), np.empty(0)
-    changes = (
-        trial.select("next_time", pl.col("updates"))
-        .explode("updates")
-        .drop_nulls("updates")
-        .unnest("updates")
-        .filter(
-            (pl.col("situation") == pl.lit(situation, pl.String))
-            & (pl.col("behavior") == behavior)
-        )
+    changes = _changes(trial).filter(
+        (pl.col("situation") == pl.lit(situation, pl.String))
+        & (pl.col("behavior") == behavior)
     )
     first = met["q"].struct.field(behavior)[0]
     times = np.concatenate([met["time"].to_numpy(), changes["next_time"].to_numpy()])
@@ -162,10 +160,26 @@ def behaviors(frame: pl.DataFrame) -> tuple[str, ...]:
     return tuple(frame["q"].struct.fields)
 
 
+def final_values(trial: pl.DataFrame) -> dict[str | None, dict[str, float]]:
+    """Returns the Q-values at the end, of each situation that was met."""
+    met = trial.group_by("situation", maintain_order=True).agg(pl.col("q").first())
+    values: dict[str | None, dict[str, float]] = dict(met.iter_rows())
+    last = _changes(trial).group_by("situation", "behavior").agg(pl.col("value").last())
+    for situation, behavior, value in last.iter_rows():
+        if situation in values:
+            values[situation][behavior] = value
+    return values
+
+
+def _changes(trial: pl.DataFrame) -> pl.DataFrame:
+    """One row for each change of a Q-value, in order, with when it is seen."""
+    told = trial.select("next_time", "updates").explode("updates")
+    return told.drop_nulls("updates").unnest("updates")
+
+
 def final_q(trial: pl.DataFrame, situation: str | None) -> dict[str, float]:
     """Returns the Q-values of a situation at the end; empty if it was never met."""
-    curves = {name: q_curve(trial, situation, name)[1] for name in behaviors(trial)}
-    return {name: float(curve[-1]) for name, curve in curves.items() if len(curve)}
+    return {} if situation is None else final_values(trial).get(situation, {})
 
 
 def masters(trial: pl.DataFrame, situation: str | None) -> bool:
@@ -173,8 +187,7 @@ def masters(trial: pl.DataFrame, situation: str | None) -> bool:
 
     What there is of `converged` for a policy that has no Q-values of its own.
     """
-    last = last_quarter(decisions(trial, situation))
-    return not last.is_empty() and appropriate(last).mean() >= CONVERGED_SHARE
+    return _mastered(last_quarter(decisions(trial, situation)))
 
 
 def converged(trial: pl.DataFrame, situation: str | None) -> bool:
@@ -184,12 +197,39 @@ def converged(trial: pl.DataFrame, situation: str | None) -> bool:
     and at the end the Q-value of the appropriate behavior (in the last decision) is
     above all others.
     """
-    if not masters(trial, situation):
-        return False
     last = last_quarter(decisions(trial, situation))
+    return _mastered(last) and _settled(last, final_q(trial, situation))
+
+
+def learned_share(trial: pl.DataFrame, least: int = 8) -> float:
+    """Returns the share of the situations with enough decisions that converged.
+
+    Args:
+        trial: The table of a trial.
+        least: Decisions that a situation needs to be counted (our choice: the last
+            quarter is then two at least).
+    """
+    parts = trial.filter("chosen").partition_by("situation")
+    ends = [last_quarter(part) for part in parts if len(part) >= least]
+    if not ends:
+        return float("nan")
+    values = final_values(trial)
+    learned = [
+        _mastered(last) and _settled(last, values[last["situation"][0]])
+        for last in ends
+    ]
+    return float(np.mean(learned))
+
+
+def _mastered(last: pl.DataFrame) -> bool:
+    """Whether at least 90 % of these choices are right."""
+    return not last.is_empty() and appropriate(last).mean() >= CONVERGED_SHARE
+
+
+def _settled(last: pl.DataFrame, values: dict[str, float]) -> bool:
+    """Whether what was right in the last of these choices has the highest value."""
     wanted: dict[str, float] = last["appropriateness"][-1]
     best = max(wanted.values()) - 1e-9
-    values = final_q(trial, situation)
     right = max(values[name] for name, worth in wanted.items() if worth >= best)
     wrong = [values[name] for name, worth in wanted.items() if worth < best]
     return all(right > value for value in wrong)

@@ -162,18 +162,3 @@ def positive_share(trial: pl.DataFrame, begin: float, end: float) -> float:
     if felt.is_empty():
         return float("nan")
     return float((felt["value"].to_numpy() > 0).mean())
-
-
-def learned_share(trial: pl.DataFrame, least: int = 8) -> float:
-    """Returns the share of the situations with enough decisions that converged.
-
-    Args:
-        trial: The table of a trial.
-        least: Decisions that a situation needs to be counted (our choice: the last
-            quarter is then two at least).
-    """
-    counts = trial.filter(pl.col("chosen"))["situation"].value_counts()
-    frequent = counts.filter(pl.col("count") >= least)["situation"].sort().to_list()
-    if not frequent:
-        return float("nan")
-    return float(np.mean([measures.converged(trial, one) for one in frequent]))

@@ -11,6 +11,7 @@ from tyro.conf import Positional, arg
 
 from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError, unknown
+from experiments.running.threads import one_thread
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -55,6 +56,7 @@ class Reproduce:
 
     def run(self) -> None:
         """Runs what is missing, then publishes."""
+        one_thread()
         from experiments.report.publish import publish
         from experiments.report.terminal import show
         from experiments.running.engine import open_engine
@@ -136,6 +138,7 @@ class Report:
 
     def run(self) -> None:
         """Publishes what is stored."""
+        one_thread()
         from experiments.report.generalization import has_studies, write_page
         from experiments.report.publish import publish
         from experiments.report.terminal import show

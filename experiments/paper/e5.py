@@ -248,7 +248,7 @@ EXPERIMENT = Experiment(
         Method(
             name="Q-table",
             text="situations with 8 or more decisions that converged",
-            measure=social.learned_share,
+            measure=measures.learned_share,
             is_share=True,
         ),
         Method(

@@ -11,11 +11,9 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from typing import TypeVar
 
+from experiments.running.threads import one_thread
+
 T = TypeVar("T")
-
-# Each worker is one process on one core: its libraries must not start more threads.
-_ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "POLARS_MAX_THREADS")
-
 
 ENDS_WITHIN = 5.0
 """How long the pool's own thread may take to notice that its workers are gone [s]."""
@@ -90,8 +88,7 @@ def _start_server() -> None:
 def _start_worker() -> None:
     """Leaves Ctrl-C to the parent, and ends this process when the parent is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    for variable in _ONE_THREAD:
-        os.environ.setdefault(variable, "1")
+    one_thread()
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

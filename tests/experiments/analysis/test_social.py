@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from experiments.analysis import social
+from experiments.analysis import measures, social
 from experiments.running.trial_columns import key_of
 from household.perception.situation import Situation
 
@@ -169,5 +169,5 @@ def test_only_situations_with_enough_decisions_count_as_learned_or_not(table):
         learned + entries(*["bark"] * 8) + [(WORKING, "play", 1.0)] * 7,
         updates=[update(0.5, situation=CALL)] + [[]] * 22,
     )
-    assert social.learned_share(frame) == 0.5
-    assert math.isnan(social.learned_share(frame, least=9))
+    assert measures.learned_share(frame) == 0.5
+    assert math.isnan(measures.learned_share(frame, least=9))
