@@ -11,7 +11,7 @@ from typing import Any, Final, ParamSpec, TypeVar, cast
 
 from numba import njit
 
-from household.compiled.packing import Packed, unpack, words_of
+from household.compiled.packing import Packed, layout_of, unpack, words_of
 from household.compiled.patience import PATIENCE
 from household.compiled.sharing import Later, turn_at
 from household.compiled.signature import (
@@ -120,17 +120,39 @@ def _bound(
     first: Sequence[object],
 ) -> Callable[..., Any]:
     """A compiled function whose first arguments are handed over in one piece."""
-    given = list(parameters.values())[len(first) :]
-    kinds = tuple(map(kind_of, given))
     if not first:
-        return compile_for(function, kinds)
-    packed, words = Packed(tuple(map(typeof, first))), words_of(first)
-    entry = _entry(function, tuple(parameters), len(first))
-    bound = partial(compile_for(entry, (packed, *kinds)), words.ctypes.data)
+        return compile_for(function, tuple(map(kind_of, parameters.values())))
+    words = words_of(first)
+    bound = partial(_found(function, parameters, first), words.ctypes.data)
     # The block and the arrays that it points to live as long as this function does; a
     # copy would share them unseen, so there is none: a memory view cannot be copied.
     bound.kept = words.data, first  # type: ignore[attr-defined]
     return bound
+
+
+_FOUND: dict[Any, Callable[..., Any]] = {}
+"""Compiled functions of packed arguments, by what `layout_of` says of these."""
+
+
+def _found(
+    function: Any,  # noqa: ANN401
+    parameters: Mapping[str, Any],
+    first: Sequence[object],
+) -> Callable[..., Any]:
+    """The compiled function for first arguments of these types.
+
+    For another household of the same kind it is found without asking Numba, which takes
+    as long for all types of a household as hundreds of steps.
+    """
+    layout = function, layout_of(first)
+    if layout in _FOUND:
+        return _FOUND[layout]
+    others = list(parameters.values())[len(first) :]
+    kinds = Packed(tuple(map(typeof, first))), *map(kind_of, others)
+    found = compile_for(_entry(function, tuple(parameters), len(first)), kinds)
+    if not isinstance(found, Later):
+        _FOUND[layout] = found
+    return found
 
 
 def compile_for(

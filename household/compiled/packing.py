@@ -92,6 +92,21 @@ def _length(kind: Any) -> int:  # noqa: ANN401
     return 1 + 2 * kind.ndim if isinstance(kind, types.Array) else 1
 
 
+def layout_of(value: Any) -> Any:  # noqa: ANN401
+    """What decides of what Numba type a value is: equal for values of one type.
+
+    Args:
+        value: A number, an array, or a tuple or list of such.
+    """
+    if isinstance(value, tuple | list):
+        return type(value), *map(layout_of, value)
+    if isinstance(value, np.ndarray):
+        has = value.flags
+        held = has.c_contiguous, has.f_contiguous, has.writeable, has.aligned
+        return value.dtype, value.ndim, *held
+    return type(value)
+
+
 def words_of(values: Sequence[object]) -> np.ndarray[Any, np.dtype[np.int64]]:
     """The block of some values: numbers, arrays and tuples of such.
 

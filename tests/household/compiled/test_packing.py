@@ -6,9 +6,11 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 import pytest
+from numba import typeof
 
 from household.compiled.arrays import Floats, Mask
 from household.compiled.jit import bind, compiled
+from household.compiled.packing import layout_of
 
 
 class Weights(NamedTuple):
@@ -99,3 +101,32 @@ def test_a_bound_function_cannot_be_copied_as_it_would_share_arrays_unseen(monke
     monkeypatch.setenv("HOUSEHOLD_CHECKED", "0")
     with pytest.raises(TypeError, match="memoryview"):
         copy.deepcopy(bind(_fill, np.zeros(2)))
+
+
+def test_what_is_of_one_layout_is_of_one_type_for_numba():
+    table = np.zeros((3, 4))
+    fixed = table.copy()
+    fixed.setflags(write=False)
+    values = (
+        1,
+        1.0,
+        True,
+        table,
+        table + 1.0,
+        table.T,
+        table[:, ::2],
+        fixed,
+        table[0],
+        table.astype(np.float32),
+        table.astype(bool),
+        Weights(np.ones(2), 0.5, 1, doubled=True),
+        Weights(np.ones(5), 1.5, 2, doubled=False),
+        (np.ones(2), 0.5, 1, True),
+        (table, (table, 1.0)),
+        (table, (table.T, 1.0)),
+        (table, table, 1.0),
+    )
+    for one in values:
+        for other in values:
+            same = layout_of(one) == layout_of(other)
+            assert same == (typeof(one) == typeof(other)), (one, other)
