@@ -145,6 +145,11 @@ def _own_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
     if isinstance(data, float) and not math.isfinite(data):
         yield Fault(path, f"{data}; allowed: finite numbers")
         return
+    texts = data if isinstance(data, dict) else (data,)
+    for text in texts:
+        if isinstance(text, str) and not _is_unicode(text):
+            yield Fault(path, f"{shown(text)}; allowed: characters of Unicode")
+            return
     try:
         msgspec.convert(data, kind)
     except msgspec.ValidationError as error:
@@ -154,6 +159,15 @@ def _own_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
         elif "matching regex" in text and (allowed := _description_in(kind)):
             text = f"{shown(data)}; allowed: {allowed}"
         yield Fault(path + where.rstrip("`"), text)
+
+
+def _is_unicode(text: str) -> bool:
+    """Whether a text can be written: Python's may hold half a pair of surrogates."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def joined(path: str, name: object) -> str:

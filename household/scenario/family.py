@@ -22,7 +22,8 @@ from household.errors import HouseholdError
 from household.home.floorplan import FloorPlan, RegionActivity, load_floorplan
 from household.home.sources.generator import MOST_ROOMS, generate
 from household.home.standing import standing_room
-from household.scenario.behavior import Behavior
+from household.scenario.behavior import Behavior, catalogue
+from household.scenario.change_faults import norm_faults
 from household.scenario.fit import behaviors_faults, first_spots, schedule_faults
 from household.scenario.norms import ActivityName, Norms
 from household.scenario.persona import Persona, load_persona
@@ -216,15 +217,21 @@ def _misfits(family: Family, sound: Sound) -> Iterator[Fault]:
 
 
 def _personas(family: Family, sound: Sound) -> Iterator[Fault]:
-    named = (
-        (i, each) for i, each in enumerate(family.personas) if isinstance(each, str)
-    )
-    for index, name in named:
+    """Personas can be had, and speak of behaviors that there are."""
+    known = catalogue() | family.behavior
+    for index, each in enumerate(family.personas):
+        here = f"personas[{index}]"
+        if not sound(here):
+            continue
         try:
-            load_persona(name)
+            persona = load_persona(each) if isinstance(each, str) else each
         except HouseholdError as error:
-            if sound(f"personas[{index}]"):
-                yield Fault(f"personas[{index}]", str(error))
+            yield Fault(here, str(error))
+        else:
+            if sound("behavior"):
+                yield from norm_faults(
+                    persona.preferences, known, f"{here}.preferences"
+                )
 
 
 def draw(family: Family | str, choice: Draw | int = 0) -> Scenario:

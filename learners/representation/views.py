@@ -43,6 +43,13 @@ def look(view: View, relations: tuple[str, ...]) -> Look:
     )
 
 
+def _check_names(what: str, given: object) -> None:
+    """Refuse what is no tuple of names of relations."""
+    names = given if isinstance(given, tuple) else (None,)
+    if not all(isinstance(each, str) for each in names):
+        raise ParameterError(f"{what} are {shown(given)}, no names")
+
+
 @saved
 @dataclass(frozen=True, kw_only=True)
 class Views(Representation):
@@ -59,9 +66,7 @@ class Views(Representation):
     relations: tuple[str, ...] = ("plays", "attends")
 
     def __post_init__(self) -> None:
-        known = isinstance(self.relations, tuple)
-        if not (known and all(isinstance(each, str) for each in self.relations)):
-            raise ParameterError(f"relations are {shown(self.relations)}, no names")
+        _check_names("relations", self.relations)
 
     def parts(self, state: Hashable) -> tuple[Part, ...]:
         """The view of each, by person."""
@@ -107,6 +112,12 @@ class NestedViews(AudibleViews):
     """
 
     coarser: tuple[tuple[str, ...], ...] = (("plays",),)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        levels = self.coarser if isinstance(self.coarser, tuple) else (self.coarser,)
+        for level in levels:
+            _check_names("relations of a coarser level", level)
 
     @property
     def n_levels(self) -> int:

@@ -8,6 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis.strategies import SearchStrategy
 
+from experiments.commands.warming import WarmUp
+
 from .living import no_hanging
 
 AT_LENGTH = 100
@@ -54,12 +56,20 @@ class Explorer:
         return SLOWEST if self.at_length else math.inf
 
 
+@pytest.fixture(scope="session")
+def all_compiled():
+    """No step that is timed waits for the compiler."""
+    WarmUp().run()
+
+
 @pytest.fixture(
     params=[False, pytest.param(True, marks=pytest.mark.slow)],
     ids=["briefly", "at_length"],
 )
 def explore(request, record_property):
     """Tries inputs: a few, always the same; or many, others each time."""
+    if request.param:
+        request.getfixturevalue("all_compiled")
     explorer = Explorer(request.param)
     yield explorer
     record_property(TRIED, dict(explorer.counts))

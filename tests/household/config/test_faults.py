@@ -44,6 +44,18 @@ class Room(Record, frozen=True, kw_only=True):
             ["lamps[0].watts: nan; allowed: finite numbers"],
         ),
         (
+            {"name": "\ud800", "lamps": [{"watts": "\ud800", "color": "\ud800"}]},
+            [
+                "name: '\\ud800'; allowed: characters of Unicode",
+                "lamps[0].watts: '\\ud800'; allowed: characters of Unicode",
+                "lamps[0].color: '\\ud800'; allowed: characters of Unicode",
+            ],
+        ),
+        (
+            {"name": "hall", "switches": {"\ud800": {"watts": 1.0}}},
+            ["switches: '\\ud800'; allowed: characters of Unicode"],
+        ),
+        (
             {"name": "hall", "lamps": [{"watts": 1.0, "place": [0.0, "left"]}]},
             ["lamps[0].place[1]: Expected `float`, got `str`"],
         ),

@@ -1,13 +1,16 @@
 """Scenario families: households drawn by seed, one thing at a time."""
 
+import re
+
 import msgspec
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from household.config.toml import shipped
+from household.config.toml import locate, shipped
 from household.errors import HouseholdError
 from household.scenario.family import MOST_PEOPLE, MOST_ROBOTS, Draw, draw, load_family
+from household.scenario.files import check_file
 from household.scenario.validation import problems
 
 FAMILIES = tuple(shipped("family"))
@@ -98,3 +101,15 @@ def test_a_family_that_cannot_be_placed_is_one_line(tmp_path):
     with pytest.raises(HouseholdError, match="room_area") as error:
         draw(tight, 1)
     assert "\n" not in str(error.value)
+
+
+def test_a_persona_of_a_family_speaks_of_behaviors_that_there_are(tmp_path):
+    path = tmp_path / "own.toml"
+    text = locate("party", "family").read_text("utf-8")
+    mine = '{name = "odd", preferences = {calling = {absorbed = {brak = 1.0}}}}'
+    path.write_text(re.sub(r"personas = \[", f"personas = [{mine}, ", text, count=1))
+    told = r"personas\[0\].preferences.calling.absorbed: unknown behavior 'brak'"
+    with pytest.raises(HouseholdError, match=told):
+        load_family(str(path))
+    (line,) = check_file(path)
+    assert re.search(told, line)

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learners.analogy import Propagation, RemoveEntity
-from learners.errors import StateError
+from learners.errors import ParameterError, StateError
 from learners.expectation import ExpectedTouch
 from learners.pooling import FullPooling, NoPooling
 from learners.representation import (
@@ -148,3 +148,19 @@ def test_a_new_view_is_read_off_its_role_and_a_known_one_off_both(toy, entry, to
 def test_a_state_without_views_is_refused(kind):
     with pytest.raises(StateError, match="str lacks views"):
         kind().parts("no situation")
+
+
+@pytest.mark.parametrize(
+    ("kind", "given"),
+    [
+        (Views, {"relations": "plays"}),
+        (Views, {"relations": (1,)}),
+        (NestedViews, {"relations": 0.3}),
+        (NestedViews, {"coarser": 0.3}),
+        (NestedViews, {"coarser": ("plays",)}),
+        (NestedViews, {"coarser": (("plays",), ("plays", 2))}),
+    ],
+)
+def test_relations_that_are_no_names_are_refused(kind, given):
+    with pytest.raises(ParameterError, match=r"relations .* no names"):
+        kind(**given)
