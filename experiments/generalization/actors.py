@@ -73,10 +73,11 @@ def _sentence(frame: pl.DataFrame, people: str, learner: str) -> str:
         pl.col("touches") == TOUCHES[-1],
     )
     met = rows["met_there"].mean()
-    marks = ", ".join(f"{mark:g} after {reached[mark]}" for mark in reached)
+    who = "With 1 person" if people == "1" else f"Among {people} people"
+    marks = ", ".join(f"{mark:g} after {n} touches" for mark, n in reached.items())
+    never = f"no score of {MARKS[0]:g} within {TOUCHES[-1]} touches"
     return (
-        f"Among {people}, {learner} reaches "
-        f"{marks if marks else f'none of {MARKS} within {TOUCHES[-1]} touches'}; "
+        f"{who}, {learner} reaches {f'a score of {marks}' if marks else never}; "
         f"{100 * float(str(met)):.0f} % of its choices were in a situation met before."
     )
 

@@ -32,6 +32,10 @@ COLORS: Mapping[str, str] = {
     "network per person": "#b2182b",
     "PPO": "#2b2b2b",
     "untrained": "#7a7f87",
+    "random": "#a3a8b0",
+    "persona": "#111111",
+    "population": "#5d6370",
+    "lookahead": "#3b3b6d",
 }
 """One color for one learner, in every figure."""
 

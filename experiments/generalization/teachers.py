@@ -76,7 +76,10 @@ INQUIRY = Inquiry(
             "mistaken",
         ),
         _contrast(
-            "Under silent ones, too.", "within hearing, full", "canonical", "silent"
+            "Under silent teachers, views still beat canonical situations.",
+            "within hearing, full",
+            "canonical",
+            "silent",
         ),
         _harm("A tenth of wrong touches harms views.", "mistaken"),
         _harm("Faint feelings told the wrong way round harm views.", "noisy"),
