@@ -11,7 +11,7 @@ from tyro.conf import Positional, arg
 
 from experiments.commands.terminal import new_console
 from experiments.errors import ExperimentError, unknown
-from experiments.running.threads import one_thread
+from experiments.threads import one_thread
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from typing import TypeVar
 
-from experiments.running.threads import one_thread
+from experiments.threads import one_thread
 
 T = TypeVar("T")
 

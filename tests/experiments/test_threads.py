@@ -7,7 +7,7 @@ import sys
 import pytest
 
 ASK = """
-from experiments.running.threads import one_thread
+from experiments.threads import one_thread
 
 one_thread()
 import polars
@@ -29,9 +29,9 @@ def test_a_library_starts_one_thread_unless_the_user_said_how_many(asked):
 def test_commands_decide_that_before_tables_are_read():
     script = (
         "import sys; import experiments.commands.reproducing, experiments.cli; "
-        "print('polars' in sys.modules)"
+        "print('polars' in sys.modules, 'numpy' in sys.modules)"
     )
     said = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
-    assert said.stdout.strip() == "False"
+    assert said.stdout.strip() == "False False"
