@@ -105,7 +105,7 @@ def _inner_faults(data: Any, kind: Any, path: str) -> Iterator[Fault]:
         if _is_of_its_size(data, kind):
             for key, value in data.items():
                 yield from faults(key, table[0], path)
-                yield from faults(value, table[1], joined(path, _key(key)))
+                yield from faults(value, table[1], joined(path, step_of(key)))
     elif isinstance(data, list | tuple):
         items = items_in(kind, len(data))
         if _is_of_its_size(data, kind):
@@ -175,7 +175,7 @@ def joined(path: str, name: object) -> str:
     return f"{path}.{name}" if path and name else path or str(name)
 
 
-def _key(key: object) -> str:
+def step_of(key: object) -> str:
     """The key of a table as a step of a path: on one line and not too long."""
     text = str(key)
     return text if len(text) <= LONGEST and text.isprintable() else shown(text)

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator
 
-from household.config.faults import Fault, Sound
+from household.config.faults import Fault, Sound, step_of
 from household.errors import choose_from
 from household.scenario.behavior import catalogue
 from household.scenario.change import Change
@@ -23,7 +23,7 @@ def norm_faults(norms: Norms, known: Collection[str], path: str) -> Iterator[Fau
             for name in getattr(norm, part):
                 if name not in known:
                     problem = choose_from(name, known, "behavior")
-                    yield Fault(f"{path}.{activity}.{part}", problem)
+                    yield Fault(f"{path}.{step_of(activity)}.{part}", problem)
 
 
 def change_faults(scenario: Scenario, sound: Sound) -> Iterator[Fault]:

@@ -11,7 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
-from household.config.faults import Fault, Sound, joined
+from household.config.faults import Fault, Sound, joined, step_of
 from household.config.toml import Point, locate
 from household.errors import HouseholdError, choose_from, shown_path
 from household.home.check import file_faults, plan_faults
@@ -200,15 +200,16 @@ def schedule_faults(
         whole: Whether all that were to be in it are known.
     """
     for place, stay in schedule.items():
+        here = step_of(place)
         if place not in places:
-            yield Fault(place, choose_from(place, places, "place"))
+            yield Fault(here, choose_from(place, places, "place"))
         for following in stay.then:
             if following not in schedule and whole:
                 problem = choose_from(following, schedule, "place")
-                yield Fault(f"{place}.then", problem)
+                yield Fault(f"{here}.then", problem)
         if not any(stay.then.values()):
-            yield Fault(f"{place}.then", "at least one weight must be above 0")
-        yield from _times(stay.duration, f"{place}.duration")
+            yield Fault(f"{here}.then", "at least one weight must be above 0")
+        yield from _times(stay.duration, f"{here}.duration")
 
 
 def _times(times: tuple[float, float] | None, path: str) -> Iterator[Fault]:

@@ -172,6 +172,12 @@ FAULTS = {
         "people[1].schedule.redaing",
         "'reading'",
     ),
+    "unknown place that cannot be printed": (
+        "reading",
+        r'"\uD7FC"',
+        r"people[1].schedule.'\ud7fc'",
+        "place",
+    ),
     "unknown next place": (
         "desk = 1.0",
         "dsek = 1.0",
