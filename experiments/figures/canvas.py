@@ -163,8 +163,10 @@ def _arranged(columns: Sequence[Column]) -> Figure:
             locator = MaxNLocator(6, steps=[1, 2, 5, 10])
             grid[-1, index].xaxis.set_major_locator(locator)
     figure.align_ylabels()
-    figure.draw_without_rendering()  # lays out
-    figure.set_layout_engine("none")  # and need not do so for each file again
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.execute(figure)
+        figure.set_layout_engine(None)  # Nor is it drawn to be laid out for each file.
     return figure
 
 
