@@ -11,6 +11,7 @@ they fit together says so in `check_loaded`.
 """
 
 import dataclasses
+import functools
 import json
 from collections.abc import Callable, Mapping
 from types import FunctionType
@@ -49,17 +50,23 @@ def encode(value: Any) -> Any:  # noqa: ANN401 - any saved value, as JSON
     Raises:
         SavedFileError: if its class is not registered with `saved`.
     """
-    if value is None or isinstance(value, bool | str):
-        return value
-    for kind, encoder in _ENCODERS.items():
-        if isinstance(value, kind):
-            return encoder(value)
+    encoder = _encoder_of(type(value))
+    if encoder is not None:
+        return encoder(value)
     name = value.__name__ if isinstance(value, FunctionType) else type(value).__name__
     if name not in _registry:
         raise SavedFileError(f"cannot save a {name}: register it with learners.saved")
     if isinstance(value, FunctionType):
         return {"function": name}
     return {"object": name, "data": _object_data(value)}
+
+
+@functools.cache  # Of types there are few, of values millions.
+def _encoder_of(kind: type) -> Callable[[Any], Any] | None:
+    for each, encoder in _ENCODERS.items():
+        if issubclass(kind, each):
+            return encoder
+    return None
 
 
 def _object_data(value: Any) -> Any:  # noqa: ANN401 - any registered object
@@ -83,7 +90,14 @@ def _encode_generator(rng: np.random.Generator) -> dict[str, Any]:
     return {"generator": state["bit_generator"], "state": encode(state)}
 
 
+def _as_it_is(value: bool | str | None) -> bool | str | None:
+    return value
+
+
 _ENCODERS: dict[type, Callable[[Any], Any]] = {
+    type(None): _as_it_is,
+    str: _as_it_is,
+    bool: _as_it_is,
     int: int,
     np.integer: int,
     np.bool_: bool,
