@@ -11,7 +11,6 @@ where another trial has stored it; the result is the same.
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Iterator
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, cast
@@ -27,6 +26,7 @@ from experiments.phases.robots import (
     Diary,
     brought_back,
     can_be_kept,
+    copies,
     described_learner,
     home_of,
     kept,
@@ -115,12 +115,14 @@ def _learner_rows(trial: Trial, learned: polars.DataFrame | None) -> Iterator[Ro
     condition = condition_of(trial)
     if learned is None or not learned["learned"][0]:
         team, row = taught(trial)
+        if can_be_kept(condition):  # So that it goes on as one that was stored does.
+            team = brought_back(kept(team))
     else:
         team, row = brought_back(learned["learned"][0]), learned.row(0, named=True)
-    text = kept(team) if can_be_kept(condition) else None
+    another = copies(team, condition)
     adapting, choosing = (each.spawn(64) for each in streams_of(trial)[2:])
     for number, residence in enumerate(probed_in(condition, trial.seed)):
-        fresh = brought_back(text) if text is not None else copy.deepcopy(team)
+        fresh = another()
         seed = int(adapting[number].generate_state(1)[0])
         rng = np.random.default_rng(choosing[number])
         for each in _adapted(condition, residence, fresh, seed, rng):

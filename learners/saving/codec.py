@@ -50,7 +50,8 @@ def encode(value: Any) -> Any:  # noqa: ANN401 - any saved value, as JSON
     Raises:
         SavedFileError: if its class is not registered with `saved`.
     """
-    encoder = _encoder_of(type(value))
+    kind: type = type(value)
+    encoder = _encoder_of(kind)
     if encoder is not None:
         return encoder(value)
     name = value.__name__ if isinstance(value, FunctionType) else type(value).__name__
