@@ -70,6 +70,12 @@ class Condition:
                     f"condition {self.name}: {name} {shown(given)} is no mapping from "
                     "names."
                 )
+        for name, level in self.factors.items():
+            if not isinstance(level, str | int | float):
+                raise ExperimentError(
+                    f"condition {self.name}: level {shown(level)} of factor "
+                    f"{shown(name)} is neither text nor a number."
+                )
 
 
 @dataclass(frozen=True, kw_only=True)

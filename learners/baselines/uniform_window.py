@@ -44,8 +44,9 @@ class UniformWindow(CreditRule):
         for index in range(history.in_force(begin), history.in_force(end) + 1):
             entry = history.entries[index]
             overlap = min(entry.next_time, end) - max(entry.time, begin)
-            if overlap > 0.0:
-                share = overlap / (self.furthest - self.nearest)
-                weights[index] = min(share, 1.0)  # Rounding can make it more.
+            # Rounding can make it more than 1, or nothing of the shortest of entries.
+            share = min(overlap / (self.furthest - self.nearest), 1.0)
+            if share > 0.0:
+                weights[index] = share
         most = max(weights, key=weights.__getitem__, default=None)
         return Weighing(weights, most)

@@ -1,8 +1,11 @@
 """Files of saved learners: a header line and a line of tagged JSON."""
 
+import contextlib
+import gc
 import hashlib
 import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +27,8 @@ def write(path: str | Path, learner: object) -> None:
     Raises:
         SavedFileError: if it holds something that is not registered with `saved`.
     """
-    payload = json.dumps(encode(learner), separators=(",", ":"))
+    with _no_collection():
+        payload = json.dumps(encode(learner), separators=(",", ":"))
     header = {"format": FORMAT, "version": VERSION, "sha256": _digest(payload)}
     path = Path(path)
     unfinished = path.with_name(f".{path.name}.{os.getpid()}")
@@ -75,7 +79,8 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
         )
     decoder = Decoder(attached, older=version < VERSION)
     try:
-        return decoder.decode(json.loads(payload))
+        with _no_collection():
+            return decoder.decode(json.loads(payload))
     except LearnerError as error:
         raise SavedFileError(f"{path}: {error}") from error
     # A digest tells damage, not who wrote the file: it may hold anything.
@@ -92,6 +97,22 @@ def load(path: str | Path, **attached: object) -> Any:  # noqa: ANN401 - what wa
         reason = " ".join(str(error).split())[:200]
         kind = type(error).__name__
         raise SavedFileError(f"{path} holds no learner ({kind}: {reason})") from error
+
+
+@contextlib.contextmanager
+def _no_collection() -> Iterator[None]:
+    """Without looking for circles among a million new objects, again and again.
+
+    There are none, and it would take as long as making the objects.
+    """
+    if not gc.isenabled():
+        yield
+        return
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 def _text(path: Path) -> str:

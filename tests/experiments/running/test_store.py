@@ -1,6 +1,7 @@
 import json
 import os
 import signal
+from datetime import date
 
 import polars as pl
 import pytest
@@ -207,6 +208,17 @@ def test_a_process_killed_while_writing_leaves_no_file_of_that_name(program, tmp
 def test_a_condition_name_that_cannot_be_a_folder_is_refused():
     with pytest.raises(ExperimentError, match="condition name 'a/b'"):
         Condition(name="a/b", scenario="s", learner="q")
+
+
+@pytest.mark.parametrize("level", [date(2026, 1, 1), None, ("social",)])
+def test_a_level_that_is_neither_text_nor_a_number_is_refused(level):
+    with pytest.raises(ExperimentError, match="of factor 'rate' is neither text nor"):
+        Condition(
+            name="a",
+            scenario="experiment_1",
+            learner="q_social",
+            factors={"rate": level},
+        )
 
 
 def test_a_study_pairs_every_condition_with_every_seed():

@@ -85,6 +85,14 @@ def test_a_window_before_the_history_credits_nothing(history, touch):
     assert weigh(rule, touch(time=3.5), history) == ({}, None)
 
 
+def test_a_uniform_window_credits_nothing_that_took_no_time_to_speak_of(entry, touch):
+    history = History()
+    history.append(entry("s", 1, 0.0, next_time=5e-324))  # 5e-324 / 4 is 0.
+    history.append(entry("s", 0, 5e-324, next_time=1.0))
+    rule = UniformWindow(nearest=0.0, furthest=4.0)
+    assert weigh(rule, touch(time=1.0), history) == ({1: 0.25}, 1)
+
+
 def test_the_delay_density_is_an_erlang_distribution():
     # shape 2, scale 1: 1 - exp(-x) * (1 + x)
     density = DelayDensity(shape=2, scale=1.0)
