@@ -91,6 +91,29 @@ def test_the_page_of_the_documentation_has_its_pictures(stored, tmp_path):
     assert "3 seeds, 6 trials" in text
 
 
+def test_what_the_page_says_of_studies_that_lie_elsewhere_stays(stored, tmp_path):
+    out = tmp_path / "generalization.md"
+    page(stored, out)
+    before = out.read_text()
+    assert "Not run, or not finished: heterogeneity, actors," in before
+    page(stored, out)
+    assert out.read_text() == before
+
+    other = tmp_path / "other" / "cross_play"
+    other.mkdir(parents=True)
+    text = (stored / "transfer" / "findings.json").read_text()
+    text = text.replace('"transfer"', '"cross_play"').replace("Views win", "Play wins")
+    (other / "findings.json").write_text(text)
+    page(other.parent, out)
+    after = out.read_text()
+    missing = before[before.index("Not run") :].partition("\n")[0]
+    assert missing.replace(" cross_play,", "") in after
+    assert after.startswith(before.partition("Not run")[0])
+    assert before[before.index("## ") :].strip() in after
+    assert after.index("## Transfer") < after.index("## Cross play")
+    assert "- Play wins. Found." in after
+
+
 def test_findings_of_another_format_are_refused(stored, capsys):
     file = stored / "transfer" / "findings.json"
     file.write_text(file.read_text().replace('"format": 2', '"format": 1'))
