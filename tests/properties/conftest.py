@@ -27,10 +27,12 @@ class Explorer:
 
     Attributes:
         at_length: Whether there is time for many.
+        record: Told the counts in the end; its first argument is their name.
         counts: How many inputs were refused, lived in, ...
     """
 
     at_length: bool
+    record: Callable[[str, object], None]
     counts: Counter[str] = field(default_factory=Counter)
 
     def __call__(
@@ -49,6 +51,7 @@ class Explorer:
             deadline=None,
             suppress_health_check=list(HealthCheck),
         )(given(inputs)(tried))()
+        self.record(TRIED, dict(self.counts))
 
     @property
     def slowest(self) -> float:
@@ -70,9 +73,7 @@ def explore(request, record_property):
     """Tries inputs: a few, always the same; or many, others each time."""
     if request.param:
         request.getfixturevalue("all_compiled")
-    explorer = Explorer(request.param)
-    yield explorer
-    record_property(TRIED, dict(explorer.counts))
+    return Explorer(request.param, record_property)
 
 
 def pytest_terminal_summary(terminalreporter):
