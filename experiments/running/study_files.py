@@ -86,9 +86,11 @@ def _decoded(path: Path) -> dict[str, Any]:
 
 def first_difference(stored: object, asked: object, path: str = "") -> str | None:
     """Returns where two pieces of plain data first differ, in words, or None."""
+    from household.config.faults import joined, step_of
+
     if isinstance(stored, dict) and isinstance(asked, dict):
         for key in [*stored, *(key for key in asked if key not in stored)]:
-            inner = f"{path}.{key}" if path else str(key)
+            inner = joined(path, step_of(key))
             found = first_difference(stored.get(key), asked.get(key), inner)
             if found:
                 return found
@@ -109,5 +111,7 @@ def first_difference(stored: object, asked: object, path: str = "") -> str | Non
 
 
 def _short(value: object, length: int = 60) -> str:
-    text = msgspec.json.encode(value).decode()
+    from household.errors import printable
+
+    text = printable(msgspec.json.encode(value).decode())
     return text if len(text) <= length else text[: length - 3] + "..."

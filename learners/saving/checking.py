@@ -11,7 +11,7 @@ import numpy as np
 
 from learners.errors import SavedFileError, shown
 
-_Check = Callable[[Any, tuple[Any, ...]], bool]
+_Check = Callable[[Any], bool]
 
 
 def check_fields(cls: type, values: Mapping[str, object]) -> None:
@@ -34,43 +34,72 @@ def check_fields(cls: type, values: Mapping[str, object]) -> None:
 
 def fits(value: Any, hint: Any) -> bool:  # noqa: ANN401 - any value of any type
     """Whether a value is of an annotated type; numbers must be finite."""
+    return _check_of(hint)(value)
+
+
+@cache  # Of annotations there are few, of values millions.
+def _check_of(hint: Any) -> _Check:  # noqa: ANN401 - any type
     origin = get_origin(hint)
-    if origin is not None:
-        check: _Check = _CONTAINERS.get(origin, _anything)
-        return check(value, get_args(hint))
+    if origin in _CONTAINERS:
+        return _CONTAINERS[origin](get_args(hint))
+    if origin is not None:  # Whatever this cannot judge is left to the class.
+        return _anything
     if hint in _PLAIN:
-        return _PLAIN[hint](value)
+        return _PLAIN[hint]
     if not isinstance(hint, type):
-        return True
+        return _anything
     if getattr(hint, "_is_protocol", False):
         members = {*vars(hint), *getattr(hint, "__annotations__", {})}
         asked = {m for m in members if m == "__call__" or not m.startswith("_")}
-        return not isinstance(value, type) and all(hasattr(value, m) for m in asked)
-    return isinstance(value, hint)
+        return lambda value: (
+            not isinstance(value, type) and all(hasattr(value, m) for m in asked)
+        )
+    return lambda value: isinstance(value, hint)
 
 
-def _anything(value: object, args: tuple[Any, ...]) -> bool:
-    """Whatever this cannot judge is left to the class."""
+def _anything(value: object) -> bool:
     return True
 
 
-def _in_tuple(value: object, args: tuple[Any, ...]) -> bool:
-    if not isinstance(value, tuple):
-        return False
+def _tuple_of(args: tuple[Any, ...]) -> _Check:
     if args[-1] is Ellipsis:
-        return all(fits(item, args[0]) for item in value)
-    return len(value) == len(args) and all(map(fits, value, args))
-
-
-def _in_dict(value: object, args: tuple[Any, ...]) -> bool:
-    key, item = args
-    return isinstance(value, dict) and all(
-        fits(k, key) and fits(v, item) for k, v in value.items()
+        return _all_in(tuple)(args)
+    checks = tuple(map(_check_of, args))
+    return lambda value: (
+        isinstance(value, tuple)
+        and len(value) == len(checks)
+        and all(check(item) for check, item in zip(checks, value, strict=True))
     )
 
 
-def _is_array(value: object, args: tuple[Any, ...]) -> bool:
-    return isinstance(value, np.ndarray) and bool(np.isfinite(value).all())
+def _dict_of(args: tuple[Any, ...]) -> _Check:
+    of_key, of_item = map(_check_of, args)
+    return lambda value: (
+        isinstance(value, dict)
+        and all(map(of_key, value))
+        and all(map(of_item, value.values()))
+    )
+
+
+def _array(args: tuple[Any, ...]) -> _Check:
+    return lambda value: (
+        isinstance(value, np.ndarray) and bool(np.isfinite(value).all())
+    )
+
+
+def _any_of(args: tuple[Any, ...]) -> _Check:
+    checks = tuple(map(_check_of, args))
+    return lambda value: any(check(value) for check in checks)
+
+
+def _all_in(
+    kind: type[list[Any]] | type[frozenset[Any]] | type[tuple[Any, ...]],
+) -> Callable[[tuple[Any, ...]], _Check]:
+    def of(args: tuple[Any, ...]) -> _Check:
+        check = _check_of(args[0])
+        return lambda value: isinstance(value, kind) and all(map(check, value))
+
+    return of
 
 
 def _is_hashable(value: object) -> bool:
@@ -81,38 +110,27 @@ def _is_hashable(value: object) -> bool:
     return True
 
 
-def _is_one_of(value: object, hints: tuple[Any, ...]) -> bool:
-    return any(fits(value, hint) for hint in hints)
-
-
-def _all_in(
-    kind: type[list[Any]] | type[frozenset[Any]],
-) -> _Check:
-    return lambda value, args: (
-        isinstance(value, kind) and all(fits(item, args[0]) for item in value)
-    )
-
-
-_PLAIN: dict[Any, Callable[[Any], bool]] = {
-    Any: lambda value: True,
+_PLAIN: dict[Any, _Check] = {
+    Any: _anything,
     bool: lambda value: isinstance(value, bool | np.bool_),
     int: lambda value: isinstance(value, Integral),
     float: lambda value: isinstance(value, Real) and _is_finite(value),
     Hashable: _is_hashable,
 }
 
-_CONTAINERS: dict[Any, _Check] = {
-    Literal: lambda value, args: any(value == each for each in args),
-    Union: _is_one_of,
-    UnionType: _is_one_of,
-    Callable: lambda value, args: callable(value),
-    tuple: _in_tuple,
+_CONTAINERS: dict[Any, Callable[[tuple[Any, ...]], _Check]] = {
+    Literal: lambda args: lambda value: any(value == each for each in args),
+    Union: _any_of,
+    UnionType: _any_of,
+    Callable: lambda args: callable,
+    tuple: _tuple_of,
     list: _all_in(list),
     set: _all_in(frozenset),  # as which sets are read
     frozenset: _all_in(frozenset),
-    dict: _in_dict,
-    np.ndarray: _is_array,
+    dict: _dict_of,
+    np.ndarray: _array,
 }
+"""Makes the check of a container from what it holds."""
 
 
 def _is_finite(number: Real) -> bool:

@@ -169,10 +169,17 @@ def test_an_error_file_goes_when_its_trial_succeeds(tmp_path):
         ({"a": [1, 2]}, {"a": [1, 3]}, "a[1]: stored 2, asked for 3"),
         ({}, {"new": "x"}, 'new: stored null, asked for "x"'),
         ({"a": [1]}, {"a": [1]}, None),
+        ({"a\nb": 1}, {}, r"'a\nb': stored 1, asked for null"),
     ],
 )
 def test_a_difference_is_told_by_its_path(stored, asked, said):
     assert first_difference(stored, asked) == said
+
+
+def test_a_difference_is_told_in_one_short_line_whatever_differs():
+    said = first_difference({"a" * 5000: "\u2028"}, {})
+    assert said.endswith(r': stored "\u2028", asked for null')
+    assert len(said) < 300
 
 
 KILLED = """
