@@ -1,5 +1,7 @@
 """Plane geometry of walls and furniture: distances and crossings."""
 
+import math
+
 import numpy as np
 
 from household.compiled.arrays import Floats
@@ -53,9 +55,11 @@ def distance_to_box(
     Returns:
         Shape (n,) [m].
     """
-    turn = np.deg2rad(angle)
-    cos, sin = np.cos(turn), np.sin(turn)
-    local = (points - np.array(center)) @ np.array([[cos, -sin], [sin, cos]])
+    # Step by step: NumPy's sine and product round otherwise on other processors.
+    turn = math.radians(angle)
+    cos, sin = math.cos(turn), math.sin(turn)
+    x, y = (points - np.array(center)).T
+    local = np.column_stack((x * cos + y * sin, y * cos - x * sin))
     outside = np.maximum(np.abs(local) - np.array(size) / 2, 0.0)
     gap: Floats = np.hypot(outside[:, 0], outside[:, 1])
     return gap

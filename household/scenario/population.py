@@ -6,6 +6,7 @@ individually. How far tastes replace the household's norms is the scenario's
 1 everybody has a taste of its own, so that analogy between people misleads.
 """
 
+import math
 from typing import Annotated
 
 import msgspec
@@ -74,10 +75,11 @@ def individual(
     """
     # Spawned, so that traits and tastes do not shift each other's draws.
     rng = population.person(number).spawn(2)[0]
-    factors = np.exp(heterogeneity * SPREAD * rng.standard_normal(len(VARIED)))
+    draws = (heterogeneity * SPREAD * rng.standard_normal(len(VARIED))).tolist()
     traits = {
-        name: getattr(persona, name) * float(factor)
-        for name, factor in zip(VARIED, factors, strict=True)
+        # NumPy's `exp` rounds otherwise on processors with AVX-512.
+        name: getattr(persona, name) * math.exp(draw)
+        for name, draw in zip(VARIED, draws, strict=True)
     }
     for name in ("praise", "sanction", "habituation"):
         traits[name] = min(traits[name], 1.0)
