@@ -175,8 +175,8 @@ def _conditions_table(found: Findings) -> Table:
             str(one.touches),
             interval_of(one.greedy),
             interval_of(one.deployed),
-            f"{one.best_constant:.2f}",
-            f"{one.worst_people:.2f}",
+            f"{one.best_constant:z.2f}",
+            f"{one.worst_people:z.2f}",
         )
     return table
 

@@ -44,7 +44,7 @@ def interval(stored: Mapping[str, Any]) -> str:
 
 def number(value: float | None) -> str:
     """Returns a number with two digits; nothing where it is unknown."""
-    return "" if value is None else f"{round(value, 2) + 0.0:.2f}"
+    return "" if value is None else f"{value:z.2f}"
 
 
 def whole(value: float) -> str:

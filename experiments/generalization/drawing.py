@@ -112,7 +112,7 @@ def matrix(
         axes.set_title(str(level))
         for (i, j), value in np.ndenumerate(values):
             ink = "white" if value > 0.6 else INK
-            axes.text(j, i, f"{value:.2f}", ha="center", va="center", color=ink)
+            axes.text(j, i, f"{value:z.2f}", ha="center", va="center", color=ink)
 
     return _arranged(_levels(frame, panels), draw, rows, legend=False)
 

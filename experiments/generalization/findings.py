@@ -105,8 +105,7 @@ def sentence(result: Result) -> str:
 def interval_of(estimate: Estimate, digits: int = 2) -> str:
     """Returns an estimate with its interval: `0.42 [0.31, 0.50]`."""
     value, low, high = (
-        f"{round(each, digits) + 0.0:.{digits}f}"
-        for each in (estimate.value, estimate.low, estimate.high)
+        f"{each:z.{digits}f}" for each in (estimate.value, estimate.low, estimate.high)
     )
     return value if np.isnan(estimate.low) else f"{value} [{low}, {high}]"
 

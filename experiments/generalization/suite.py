@@ -74,7 +74,7 @@ def _say(frame: pl.DataFrame, results: tuple[Result, ...]) -> tuple[str, ...]:
     known = frame["learner"].unique(maintain_order=True)
     named = [name for name in known if name not in ends]
     ordered = sorted(named, key=lambda name: lived_share(frame, name), reverse=True)
-    said = ", ".join(f"{name} {lived_share(frame, name):.2f}" for name in ordered)
+    said = ", ".join(f"{name} {lived_share(frame, name):z.2f}" for name in ordered)
     return (f"Lived scores, random 0 and lookahead 1, mean over families: {said}.",)
 
 

@@ -146,8 +146,8 @@ def interval(estimate: Mapping[str, Any]) -> str:
     if value is None:
         return ""
     if low is None or high is None:
-        return f"{value + 0.0:.2f}"
-    return f"{value + 0.0:.2f} [{low + 0.0:.2f}, {high + 0.0:.2f}]"
+        return f"{value:z.2f}"
+    return f"{value:z.2f} [{low:z.2f}, {high:z.2f}]"
 
 
 def _part(document: Mapping[str, Any], directory: Path) -> Part:
