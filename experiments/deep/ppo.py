@@ -150,6 +150,9 @@ class PPOLearner:
             with drawn_by(self._rng):
                 model.train()
             buffer.reset()
+            # The policy remembers the last shares that it computed, and learned ones
+            # cannot be copied: their gradients hang on them.
+            self._evaluate(choice.people, choice.action)
 
     def _people(self, seen: Seen) -> NDArray[np.float32]:
         n_features = cast(PPO, self._model).observation_space.shape[-1]

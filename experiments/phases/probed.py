@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from experiments.phases.world import Residence, household
 from experiments.scoring.moments import Moment, ProbeSet, Sight, probe_set
 from experiments.scoring.policies import Policy
 from experiments.scoring.scores import Choose, live, probe_score
+
+if TYPE_CHECKING:
+    from household.environment import Household
 
 WALKS, STEPS = 2, 900
 """Reference walks that a probe set is drawn from, and their length [steps]."""
@@ -59,7 +62,11 @@ def life(residence: Residence, choose: Choose, steps: int) -> Row:
     """What becomes of a policy's own episode; nothing if there is none."""
     if not steps:
         return dict.fromkeys(LIVED)
-    env = household(residence, steps)
+    return life_in(household(residence, steps), residence, choose)
+
+
+def life_in(env: Household, residence: Residence, choose: Choose) -> Row:
+    """What becomes of an episode in a household that `choose` may look ahead in."""
     lived = live(env, choose, residence.words(3)[2])
     return {
         "verdicts_per_minute": lived.per_minute,

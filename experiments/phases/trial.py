@@ -20,7 +20,16 @@ import numpy as np
 from experiments.phases.drawing import probed_in
 from experiments.phases.frozen import policy_of
 from experiments.phases.lessons import TRAINED, condition_of, streams_of, taught
-from experiments.phases.probed import LIVED, STEPS, Row, about, life, probes_of, row_of
+from experiments.phases.probed import (
+    LIVED,
+    STEPS,
+    Row,
+    about,
+    life,
+    life_in,
+    probes_of,
+    row_of,
+)
 from experiments.phases.records import Phases
 from experiments.phases.robots import (
     Diary,
@@ -175,7 +184,7 @@ def _policy_scores(
 ) -> Row:
     name, probes = condition.learner, probes_of(residence)
     lived = condition.probing.lived
-    env = household(residence, STEPS)
+    env = household(residence, lived or STEPS)
     known = references(env, rng)
     if name not in known:
         make = specification(name.removeprefix("act:")).make
@@ -187,7 +196,7 @@ def _policy_scores(
         return about(residence, probes) | {
             "greedy": float("nan"),
             "deployed": float("nan"),
-            **life(residence, reference.choose, lived),
+            **(life_in(env, residence, reference.choose) if lived else {}),
         }
     chosen = [reference.choose(moment) for moment in probes.moments]
     score = probe_score(chosen, probes.moments)

@@ -72,6 +72,13 @@ def test_the_reward_of_a_choice_is_all_that_is_felt_until_the_next():
     assert buffer.episode_starts[:2, 0].tolist() == [1.0, 0.0]
 
 
+def test_it_can_be_copied_right_after_it_learned():
+    robot = learner()
+    live(robot, 16)  # The last of 16 choices is still open,
+    robot.start_episode()  # and over now: the library learns.
+    assert copy.deepcopy(robot).q_values(ANN) == pytest.approx(robot.q_values(ANN))
+
+
 def test_an_episode_that_was_broken_off_would_have_gone_on():
     robot = learner(gamma=0.5)
     robot.learn(entry(0, ANN, 1, (1.0,), next_state=BOB))

@@ -141,3 +141,9 @@ def test_a_changed_constant_is_a_changed_description_and_probing_is_none_of_trai
 def test_touches_must_rise():
     with pytest.raises(ExperimentError, match="must rise"):
         Probing(touches=(5, 2))
+
+
+def test_the_reference_that_looks_ahead_lives_in_the_household_that_it_looks_into():
+    frame = run(trial("lookahead", {}, lived=20, touches=(0,)))
+    assert frame["verdicts_per_minute"].is_not_null().all()
+    assert frame["greedy"].is_nan().all()
