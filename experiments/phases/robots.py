@@ -111,8 +111,8 @@ def brought_back(text: str) -> Team:
 def copies(team: Team, condition: Phases) -> Callable[[], Team]:
     """Returns what makes a copy of learners each time it is called.
 
-    Those of the catalog take a tenth of the time that a text takes; of one's own it is
-    not known what they hold.
+    Those of the catalog are pickled, which takes less time than a text; of one's own it
+    is not known what they hold.
     """
     if can_be_kept(condition):
         return partial(pickle.loads, pickle.dumps(team, pickle.HIGHEST_PROTOCOL))

@@ -196,6 +196,7 @@ def _policy_scores(
         return about(residence, probes) | {
             "greedy": float("nan"),
             "deployed": float("nan"),
+            # It looks ahead in the very household that it lives in.
             **(life_in(env, residence, reference.choose) if lived else {}),
         }
     chosen = [reference.choose(moment) for moment in probes.moments]

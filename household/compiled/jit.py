@@ -135,7 +135,7 @@ _FOUND: dict[Any, Callable[..., Any]] = {}
 
 
 def _found(
-    function: Any,  # noqa: ANN401
+    function: Any,  # noqa: ANN401 - a dispatcher of Numba, which is not annotated
     parameters: Mapping[str, Any],
     first: Sequence[object],
 ) -> Callable[..., Any]:

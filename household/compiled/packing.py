@@ -92,8 +92,8 @@ def _length(kind: Any) -> int:  # noqa: ANN401
     return 1 + 2 * kind.ndim if isinstance(kind, types.Array) else 1
 
 
-def layout_of(value: Any) -> Any:  # noqa: ANN401
-    """What decides of what Numba type a value is: equal for values of one type.
+def layout_of(value: object) -> object:
+    """What decides of what Numba type a value is: hashable, equal for one type.
 
     Args:
         value: A number, an array, or a tuple or list of such.

@@ -38,7 +38,7 @@ def fits(value: Any, hint: Any) -> bool:  # noqa: ANN401 - any value of any type
 
 
 @cache  # Of annotations there are few, of values millions.
-def _check_of(hint: Any) -> _Check:  # noqa: ANN401 - any type
+def _check_of(hint: object) -> _Check:
     origin = get_origin(hint)
     if origin in _CONTAINERS:
         return _CONTAINERS[origin](get_args(hint))
