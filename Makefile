@@ -62,10 +62,13 @@ lint: .venv/developing
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
 	touch $@
 
-# With what films of the typical trials need; pip says what it does.
+# With what films of the typical trials need; pip says what it does, and points say that it
+# still works where it says nothing for long.
 .venv/rendering: pyproject.toml | .venv/bin/python
 	@echo "Installing household and what it needs into .venv; some minutes, once"
-	$(BIN)/pip install --disable-pip-version-check --editable '.[render]'
+	@(while sleep 2 && kill -0 $$$$ 2>/dev/null; do printf .; done) & \
+	  $(BIN)/pip install --disable-pip-version-check --editable '.[render]'; \
+	  installed=$$?; kill $$!; exit $$installed
 	touch $@ .venv/installed
 
 .venv/developing: pyproject.toml | .venv/bin/python

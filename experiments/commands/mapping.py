@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
-from experiments.commands.terminal import new_console
+from experiments.commands.terminal import PREPARING, new_console
 from experiments.errors import ExperimentError, unknown
 
 if TYPE_CHECKING:
@@ -48,11 +48,13 @@ class Maps:
         from experiments.running.jobs import prepare, run
         from experiments.running.lock import alone_in
         from experiments.running.progress import progress
+        from experiments.running.pulse import pulse
 
         studies, console = self._studies(), new_console()
         engine = open_engine(self.engine, self.workers)
         with alone_in(self.out):
-            jobs = prepare(studies, self.out)
+            with pulse(console, PREPARING):
+                jobs = prepare(studies, self.out)
             total = sum(len(study.trials()) for study in studies)
             console.print(f"{total} trials, {total - len(jobs)} are stored.")
             with progress(console, "trials", len(jobs)) as advance:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
-from experiments.commands.terminal import new_console
+from experiments.commands.terminal import PREPARING, new_console
 from experiments.errors import ExperimentError, unknown
 from experiments.threads import one_thread
 
@@ -113,8 +113,10 @@ class Reproduce:
     ) -> None:
         from experiments.running.jobs import prepare, run
         from experiments.running.progress import progress
+        from experiments.running.pulse import pulse
 
-        jobs = prepare(studies, self.out)
+        with pulse(console, PREPARING):
+            jobs = prepare(studies, self.out)
         total = sum(len(study.trials()) for study in studies)
         stored = f"{total - len(jobs)} of {total} trials are stored already."
         console.print(f"{total} trials. {stored if len(jobs) < total else ''}")

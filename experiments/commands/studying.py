@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
-from experiments.commands.terminal import new_console
+from experiments.commands.terminal import PREPARING, new_console
 from experiments.errors import ExperimentError, unknown
 
 if TYPE_CHECKING:
@@ -150,8 +150,10 @@ class StudyCommand:
     ) -> None:
         from experiments.running.jobs import prepare, run
         from experiments.running.progress import progress
+        from experiments.running.pulse import pulse
 
-        jobs = prepare(studies, self.out)
+        with pulse(console, PREPARING):
+            jobs = prepare(studies, self.out)
         total = sum(len(study.trials()) for study in studies)
         console.print(
             f"{studies[0].name}: {total} trials, {total - len(jobs)} are stored.",

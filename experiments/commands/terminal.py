@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.console import Console
 
+PREPARING = "Preparing the homes; the first run compiles"
+"""What is said while directories and scenarios of studies are made ready."""
+
 
 def new_console() -> Console:
     """Returns a console on stdout; plain lines where that is no terminal.
