@@ -136,6 +136,7 @@ def bars(frame: pl.DataFrame, by: str, *, series: str = "learner") -> Figure:
             axes.plot(found.value, place, "o", color=color)
         axes.axvline(0.0, color=INK, linewidth=0.8)
         axes.set_yticks(range(len(names)), reversed(names))
+        axes.set_ylim(-0.6, len(names) - 0.4)
         axes.grid(visible=False, axis="y")
         axes.grid(visible=True, axis="x", color=LINE)
         axes.set_xlabel("probe score")

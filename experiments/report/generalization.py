@@ -19,6 +19,7 @@ from experiments.errors import ExperimentError
 from experiments.generalization.learners import GRID
 from experiments.generalization.names import NAMES
 from experiments.running.files import write_text
+from experiments.studies.people import STUDIES as OTHERS
 
 PAGE = "generalization.html"
 
@@ -27,6 +28,9 @@ FORMAT = 2
 
 GRID_STUDY, GRID_CASE = "transfer", {"new": "swap"}
 """Which scores the table of representation and pooling shows, at 0 touches."""
+
+SHOWN = tuple(name for name in NAMES if name != "tuning")
+"""The shipped studies that have findings."""
 
 _TEMPLATES = Path(__file__).parent / "templates"
 
@@ -61,7 +65,7 @@ class Part:
 
 def has_studies(directory: Path) -> bool:
     """Whether a directory holds findings of generalization studies."""
-    return any((directory / name / "findings.json").is_file() for name in NAMES)
+    return bool(_studies(directory))
 
 
 def write_page(directory: Path) -> Path:
@@ -97,21 +101,26 @@ def context(directory: Path) -> dict[str, Any]:
         ExperimentError: If there are no findings, or they are damaged.
     """
     documents = {
-        name: _read(directory / name / "findings.json")
-        for name in NAMES
-        if name != "tuning" and (directory / name / "findings.json").is_file()
+        name: _read(directory / name / "findings.json") for name in _studies(directory)
     }
     if not documents:
         raise ExperimentError(f"{directory}: no findings of studies there.")
+    missing = [name for name in SHOWN if name not in documents]
     return {
         "parts": [
             _part(document, directory / name) for name, document in documents.items()
         ],
-        "missing": [
-            name for name in NAMES if name not in documents and name != "tuning"
-        ],
+        # Who has run studies of its own alone does not ask for ours.
+        "missing": missing if len(missing) < len(SHOWN) else [],
         "grid": grid(documents.get(GRID_STUDY)),
     }
+
+
+def _studies(directory: Path) -> list[str]:
+    """Names of the studies whose findings a directory holds: ours, then one's own."""
+    there = {file.parent.name for file in directory.glob("*/findings.json")}
+    ours = [name for name in SHOWN if name in there]
+    return ours + sorted(there - {*NAMES, *OTHERS})
 
 
 def grid(

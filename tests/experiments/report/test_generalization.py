@@ -80,6 +80,24 @@ def test_the_report_of_studies_is_one_file(stored, capsys):
     assert "generalization.html" in capsys.readouterr().out
 
 
+def test_a_study_of_ones_own_is_reported_after_ours_or_alone(stored):
+    (stored / "mine").mkdir()
+    found = json.loads((stored / "transfer" / "findings.json").read_text())
+    found["findings"]["study"] = "mine"
+    (stored / "mine" / "findings.json").write_text(json.dumps(found))
+    assert [part.name for part in context(stored)["parts"]] == ["transfer", "mine"]
+    (stored / "transfer" / "findings.json").unlink()
+    alone = context(stored)
+    assert [part.name for part in alone["parts"]] == ["mine"]
+    assert not alone["missing"]
+
+
+def test_studies_of_other_kinds_are_left_to_their_own_page(stored):
+    (stored / "crowd").mkdir()
+    (stored / "crowd" / "findings.json").write_text("{}")
+    assert [part.name for part in context(stored)["parts"]] == ["transfer"]
+
+
 def test_the_page_of_the_documentation_has_its_pictures(stored, tmp_path):
     out = tmp_path / "docs" / "generalization.md"
     out.parent.mkdir()
