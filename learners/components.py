@@ -9,7 +9,7 @@ Settings are names, or tables with a name::
 import difflib
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 from learners.analogy import (
     AdaptiveAnalogy,
@@ -27,7 +27,9 @@ from learners.credit.rules import Designated, Immediate, Trace
 from learners.errors import LONGEST, ParameterError, UnknownNameError, shown
 from learners.exploration import (
     EpsilonGreedy,
+    Exploration,
     Greedy,
+    SeekCompany,
     Softmax,
     Thompson,
     UpperConfidence,
@@ -56,6 +58,12 @@ from learners.tabular.rates import (
     SynchronousRate,
 )
 from learners.tabular.silence import SilentSteps
+
+
+def _seeking(among: object = "softmax") -> SeekCompany:
+    """The rule among people is made by name as well."""
+    return SeekCompany(among=cast(Exploration, _component("exploration", among)))
+
 
 COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
     "rate": {
@@ -104,6 +112,7 @@ COMPONENTS: Mapping[str, Mapping[str, Callable[..., object]]] = {
         "epsilon_greedy": EpsilonGreedy,
         "upper_confidence": UpperConfidence,
         "thompson": Thompson,
+        "seek_company": _seeking,
     },
     "silent_steps": {
         "together": SilentSteps,

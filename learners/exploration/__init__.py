@@ -1,6 +1,7 @@
 """Exploration: how a behavior is chosen from what is known of each."""
 
 from learners.exploration.chances import chances
+from learners.exploration.company import SeekCompany
 from learners.exploration.rules import (
     EpsilonGreedy,
     Estimates,
@@ -19,6 +20,7 @@ __all__ = [
     "Estimates",
     "Exploration",
     "Greedy",
+    "SeekCompany",
     "Softmax",
     "Thompson",
     "UpperConfidence",

@@ -5,6 +5,7 @@ from functools import singledispatch
 import numpy as np
 from numpy.typing import NDArray
 
+from learners.exploration.company import SeekCompany
 from learners.exploration.rules import (
     EpsilonGreedy,
     Estimates,
@@ -19,6 +20,9 @@ Chances = NDArray[np.float64]
 
 NODES = np.linspace(-6.0, 6.0, 121)
 """Where a normal density is summed up, in standard deviations."""
+
+SHARES = (np.arange(400) + 0.5) / 400
+"""Where the density of a share is summed up."""
 
 
 @singledispatch
@@ -76,6 +80,22 @@ def _thompson(rule: Thompson, estimates: Estimates) -> Chances | None:
     below = log_ndtr((points[..., None] - means) / deviations).sum(axis=-1)
     own = log_ndtr(NODES)
     found: Chances = np.exp(below - own - NODES**2 / 2).sum(axis=1)
+    return found / found.sum()
+
+
+@chances.register
+def _company(rule: SeekCompany, estimates: Estimates) -> Chances | None:
+    """Alone, each draw's density times the chance that all others are below it."""
+    from scipy.special import betainc, betaln, xlog1py, xlogy
+
+    if not estimates.alone:
+        return chances(rule.among, estimates)
+    hits, misses = rule.posterior(len(estimates.values))
+    rates = SHARES[:, None]
+    below = np.log(np.maximum(betainc(hits, misses, rates), 1e-300))
+    own = xlogy(hits - 1.0, rates) + xlog1py(misses - 1.0, -rates)
+    others = below.sum(axis=1, keepdims=True) - below
+    found: Chances = np.exp(own - betaln(hits, misses) + others).sum(axis=0)
     return found / found.sum()
 
 

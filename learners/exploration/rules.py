@@ -20,18 +20,27 @@ class Estimates(NamedTuple):
         visits: updates behind each value.
         deviations: standard deviation of each value's posterior; None if the learner
             keeps no posterior.
+        alone: whether nobody perceives the robot; told to `SeekCompany` alone.
     """
 
     values: Sequence[float]
     visits: Sequence[float]
     deviations: Sequence[float] | None = None
+    alone: bool = False
 
 
 class Exploration(Protocol):
     """An exploration rule."""
 
-    needs_visits: ClassVar[bool]
-    needs_posterior: ClassVar[bool]
+    @property
+    def needs_visits(self) -> bool:
+        """Whether it asks for `Estimates.visits`."""
+        ...
+
+    @property
+    def needs_posterior(self) -> bool:
+        """Whether it asks for `Estimates.deviations`."""
+        ...
 
     def choose(self, estimates: Estimates, rng: np.random.Generator) -> int:
         """Index of the chosen behavior."""

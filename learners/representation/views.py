@@ -43,6 +43,16 @@ def look(view: View, relations: tuple[str, ...]) -> Look:
     )
 
 
+def is_alone(state: Hashable) -> bool:
+    """Whether nobody perceives a robot, as far as the situation says.
+
+    Raises:
+        StateError: if it is no situation of views.
+    """
+    views = as_viewed(state).views()
+    return not any(look(view, ()).perceives for _, view in views)
+
+
 def _check_names(what: str, given: object) -> None:
     """Refuse what is no tuple of names of relations."""
     names = given if isinstance(given, tuple) else (None,)

@@ -25,11 +25,12 @@ from learners.errors import (
     shown,
 )
 from learners.experience import Experience, Reward
-from learners.exploration import Estimates, Exploration, Softmax
+from learners.exploration import Estimates, Exploration, SeekCompany, Softmax
 from learners.learner import Credit
 from learners.pooling.rules import NoPooling, Pooling
 from learners.representation.parts import Representation
 from learners.representation.situations import Named
+from learners.representation.views import is_alone
 from learners.saving import DERIVED, load, write
 from learners.tabular.memory import Memory
 from learners.tabular.qtable import QTable
@@ -137,7 +138,10 @@ class CreditedLearner(ABC):
     def estimates(self, state: Hashable) -> Estimates:
         """What is known of the behaviors in a state; for reading only."""
         return Estimates(
-            self._values(state), self._visits(state), self._deviations(state)
+            self._values(state),
+            self._visits(state),
+            self._deviations(state),
+            self._is_alone(state),
         )
 
     def _values(self, state: Hashable) -> Sequence[float]:
@@ -148,6 +152,9 @@ class CreditedLearner(ABC):
 
     def _deviations(self, state: Hashable) -> Sequence[float] | None:
         return self.memory.deviations(state) if self.has_posterior else None
+
+    def _is_alone(self, state: Hashable) -> bool:
+        return isinstance(self.exploration, SeekCompany) and is_alone(state)
 
     @abstractmethod
     def _absorb(self, credits: Sequence[Credit]) -> None:
@@ -165,6 +172,7 @@ class CreditedLearner(ABC):
             self._values(state),
             self._visits(state) if asked.needs_visits else (),
             self._deviations(state) if asked.needs_posterior else None,
+            self._is_alone(state),
         )
         return asked.choose(estimates, self.rng)
 
@@ -198,6 +206,8 @@ class CreditedLearner(ABC):
             )
         self.history.check(experience)
         self.memory.seen(experience.state)  # refused before anything is learned
+        alone = self._is_alone(experience.state)
+        found = alone and not self._is_alone(experience.next_state)
         exploratory = (
             self.credit.shares_error  # nobody else asks
             and experience.chosen
@@ -205,6 +215,8 @@ class CreditedLearner(ABC):
         )
         self.history.append(experience, exploratory=exploratory)
         self.network.count(experience.state, experience.action, experience.next_state)
+        if alone and isinstance(self.exploration, SeekCompany):
+            self.exploration.note(experience.action, found=found)
         self._absorb(self._credited(experience.rewards))
 
     def start_episode(self) -> None:
