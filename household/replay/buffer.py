@@ -1,6 +1,6 @@
 """The buffer: moments that are kept in memory until they are written out."""
 
-from bisect import bisect_left
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -59,19 +59,24 @@ class Buffer:
         self.decision = self._simulation.decision
         self._decisions.append(self.decision)
 
-    def spot(self, robot: int, decision: int) -> tuple[float, float]:
-        """Where a robot was [m]; where it is now, if that is forgotten.
+    def spots(
+        self, robot: Sequence[int], decision: Sequence[int], now: Sequence[int]
+    ) -> Floats:
+        """Where robots were, shape (n, 2) [m].
 
         Args:
-            robot: Its index.
-            decision: Not after the last moment.
+            robot: Index of each.
+            decision: When; none is after the last moment.
+            now: When that was asked for; what was forgotten by then is where the robot
+                was at that moment.
         """
-        known = decision if decision > self.decision - REMEMBERED else self.decision
-        decisions, spots = self._decisions, self._spots
-        if not decisions or known < decisions[0]:
-            decisions, spots = self._before
-        x, y = spots[bisect_left(decisions, known), robot].tolist()
-        return x, y
+        earlier, before = self._before
+        decisions = np.array([*earlier, *self._decisions], np.int64)
+        known = np.array([decision, now], np.int64)
+        known = np.where(known[0] > known[1] - REMEMBERED, known[0], known[1])
+        spots = np.concatenate([before, self._spots[: len(self._decisions)]])
+        found: Floats = spots[np.searchsorted(decisions, known), list(robot)]
+        return found
 
     def take(self) -> Held:
         """Takes all moments out; they stay as they are until the next time."""

@@ -115,7 +115,7 @@ class Recorder:
     def _taken(self) -> Callable[[], None]:
         """Takes everything so far; returns what gives it to Rerun."""
         self._aside.wait()
-        held, happened = self._buffer.take(), self._events.take()
+        happened, held = self._events.take(), self._buffer.take()
         self._written = time.monotonic()
         return partial(self._send, held, happened, self._choices.take())
 

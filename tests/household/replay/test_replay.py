@@ -248,5 +248,6 @@ def test_where_robots_were_is_known_for_a_while_also_after_it_was_written(
         for ago in (0, 1, 100, 511, 512):
             if ago <= decision:
                 was = decision - ago if ago < REMEMBERED else decision
-                assert buffer.spot(1, decision - ago) == tuple(spots[was][1])
+                found = buffer.spots([1], [decision - ago], [decision])
+                assert found.tolist() == [spots[was][1].tolist()]
         env.step(actions)
