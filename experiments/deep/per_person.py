@@ -27,6 +27,9 @@ from learners.errors import SavedFileError
 from learners.experience import Experience
 from learners.learner import Credit
 
+EPSILON = 0.1
+"""Share of choices that are drawn, if nothing else is said."""
+
 HIDDEN = 64
 """Units of each of two layers."""
 
@@ -34,6 +37,7 @@ MEMORY, BATCH, STEPS = 20_000, 64, 4
 """Samples that are kept, samples of a step, and steps after each entry."""
 
 LEARNING_RATE, DECAY = 1e-3, 1e-4
+"""Of Adam, and its decay of weights."""
 
 
 class NetworkPerPerson:
@@ -43,15 +47,20 @@ class NetworkPerPerson:
         n_behaviors: Number of behaviors to choose from.
         rng: Draws first weights, batches and exploration.
         epsilon: Share of choices that are drawn.
+        learning_rate: Of Adam.
     """
 
     observes = True
 
     def __init__(
-        self, n_behaviors: int, rng: np.random.Generator, epsilon: float = 0.1
+        self,
+        n_behaviors: int,
+        rng: np.random.Generator,
+        epsilon: float = EPSILON,
+        learning_rate: float = LEARNING_RATE,
     ) -> None:
         self.n_behaviors = n_behaviors
-        self._epsilon = epsilon
+        self._epsilon, self._learning_rate = epsilon, learning_rate
         self._rng = rng
         # Its history and its credit rule say which entry a touch is about.
         self._credit = make_learner(
@@ -162,14 +171,17 @@ class NetworkPerPerson:
         self._network = nn.Sequential(*layers[:-1])
         self._optimizer = torch.optim.Adam(
             self._network.parameters(),
-            lr=LEARNING_RATE,
+            lr=self._learning_rate,
             weight_decay=DECAY,
             fused=True,
         )
 
 
 def network(
-    n_behaviors: int, rng: np.random.Generator, epsilon: float = 0.1
+    n_behaviors: int,
+    rng: np.random.Generator,
+    epsilon: float = EPSILON,
+    learning_rate: float = LEARNING_RATE,
 ) -> NetworkPerPerson:
     """Returns a new learner, as `module:function` names it.
 
@@ -177,5 +189,6 @@ def network(
         n_behaviors: Number of behaviors to choose from.
         rng: Draws first weights, batches and exploration.
         epsilon: Share of choices that are drawn.
+        learning_rate: Of Adam.
     """
-    return NetworkPerPerson(n_behaviors, rng, epsilon)
+    return NetworkPerPerson(n_behaviors, rng, epsilon, learning_rate)

@@ -1,7 +1,8 @@
 """The learners that studies compare: points of a grid of representation and pooling.
 
 All credit designated pairs. How each explores was tuned on the split `validation`, with
-the same settings tried for each (`tuning.py`); the winners lie in `tuned.json`.
+the same settings tried for each, and the settings of networks with as many
+(`tuning.py`); the winners lie in `tuned.json`.
 """
 
 from __future__ import annotations
@@ -50,21 +51,11 @@ settings. Where it is not said, views are pooled fully, and silence counts as no
 touch."""
 
 NETWORKS: Mapping[str, Settings] = {
-    "network per person": ("experiments.deep.per_person:network", {"epsilon": 0.1}),
-    "PPO": (
-        "experiments.deep.ppo:ppo",
-        {
-            "n_steps": 64,
-            "batch_size": 32,
-            "n_epochs": 10,
-            "learning_rate": 1e-3,
-            "gamma": 0.5,
-            "ent_coef": 0.01,
-        },
-    ),
+    "network per person": ("experiments.deep.per_person:network", {}),
+    "PPO": ("experiments.deep.ppo:ppo", {"n_epochs": 10}),
 }
-"""Neural baselines (extra `deep`) -> who makes them, and their settings (our choice:
-they are not tuned as the tables are)."""
+"""Neural baselines (extra `deep`) -> who makes them, and settings that were not
+tuned."""
 
 GRID: Mapping[str, tuple[str, str]] = {
     "whole situation": ("whole situation", "none"),
@@ -103,20 +94,22 @@ def slug(name: str) -> str:
 
 
 def settings(names: Iterable[str] = LEARNERS) -> dict[str, Settings]:
-    """Returns learners by name with their settings, exploration as it was tuned."""
-    return {
-        name: NETWORKS[name] if name in NETWORKS else _explores(name) for name in names
-    }
+    """Returns learners by name with their settings, as they were tuned."""
+    return {name: with_setting(name, tuned()[name]) for name in names}
 
 
-def _explores(name: str) -> Settings:
+def with_setting(name: str, setting: Mapping[str, Any]) -> Settings:
+    """Returns a learner with what is tuned: a table's exploration, all of a network."""
+    if name in NETWORKS:
+        learner, further = NETWORKS[name]
+        return learner, {**further, **setting}
     learner, further = LEARNERS[name]
-    return learner, {**further, "exploration": dict(tuned()[name])}
+    return learner, {**further, "exploration": dict(setting)}
 
 
 @cache
 def tuned() -> Mapping[str, Mapping[str, Any]]:
-    """Returns how each learner explores."""
+    """Returns how each table explores, and the settings of each network."""
     document = msgspec.json.decode(TUNED.read_bytes())
     winners: Mapping[str, Mapping[str, Any]] = document["winners"]
     return winners

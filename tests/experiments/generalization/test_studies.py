@@ -166,12 +166,20 @@ def test_tuning_reads_nothing_of_the_test(monkeypatch):
 
 def test_every_learner_is_tuned_by_the_same_budget():
     conditions = tuning.conditions()
-    tried = {name: set() for name in LEARNERS}
+    tried = {name: set() for name in (*LEARNERS, *NETWORKS)}
     for each in conditions:
         tried[each.factors["learner"]].add(each.factors["setting"])
     assert {len(settings) for settings in tried.values()} == {tuning.DRAWS}
     assert tuning.drawn(5) == tuning.drawn(64)[:5]
-    assert set(tuned()) == set(LEARNERS)
+    assert set(tuned()) == {*LEARNERS, *NETWORKS}
+
+
+@pytest.mark.parametrize("name", NETWORKS)
+def test_a_network_is_tried_with_settings_of_its_own(name):
+    few, many = tuning.drawn_for(name, 5), tuning.drawn_for(name)
+    assert few == many[:5]
+    assert len({str(each) for each in many}) == tuning.DRAWS
+    assert tuned()[name] in many
 
 
 def test_the_winner_is_who_scores_highest_on_what_it_holds_and_does():
