@@ -43,6 +43,7 @@ def look(view: View, relations: tuple[str, ...]) -> Look:
     )
 
 
+@lru_cache(maxsize=1 << 12)  # before an entry, after it, and at the choice between
 def is_alone(state: Hashable) -> bool:
     """Whether nobody perceives a robot, as far as the situation says.
 
