@@ -18,10 +18,10 @@ def network(n_in, n_out):
     return nn.Sequential(*hidden, nn.Linear(128, n_out))
 
 
-def train(steps, seed=0, n_homes=16):
+def train(steps, seed=0, n_homes=16, family="quiet_work", held=True, draws=False):
     """Returns a policy and its learning curve: robot-hours, reward a minute."""
     torch.manual_seed(seed)
-    drawn = [draw("quiet_work", 1000 + home) for home in range(n_homes)]
+    drawn = [draw(family, 1000 + home) for home in range(n_homes)]
     homes = vector.make(drawn, seed=seed)
     n, size = homes.num_envs, homes.single_observation_space.shape[0]
     actor, critic = network(size, len(homes.behaviors)), network(size, 1)
@@ -31,8 +31,9 @@ def train(steps, seed=0, n_homes=16):
     for update in range(steps // (n * LENGTH)):
         rows = []
         for _ in range(LENGTH):
-            # The mask leaves a choice only when one is due: nothing is interrupted.
-            x, mask = torch.from_numpy(x), torch.from_numpy(infos["action_mask"] == 1)
+            # Held, it chooses only when a choice is due: nothing is interrupted.
+            mask = torch.from_numpy((infos["action_mask"] == 1) | (not held))
+            x = torch.from_numpy(x)
             with torch.no_grad():
                 chances = Categorical(logits=actor(x).masked_fill(~mask, -1e9))
                 action, value = chances.sample(), critic(x)[:, 0]
@@ -43,13 +44,11 @@ def train(steps, seed=0, n_homes=16):
                 after[cut] = np.stack(infos["final_obs"][cut])
             with torch.no_grad():
                 beyond = critic(torch.from_numpy(after))[:, 0]
-            numbers = (torch.from_numpy(reward).float(), torch.from_numpy(cut).float())
-            rows.append((before, mask, action, log, value, beyond, *numbers))
-        o, masks, a, old, values, beyonds, rewards, cuts = map(
-            torch.stack, zip(*rows, strict=True)
-        )
-        hours = (update + 1) * n * LENGTH / 3600
-        curve.append((hours, 60 * rewards.mean().item()))
+            told = (torch.from_numpy(reward).float(), torch.from_numpy(cut).float())
+            rows.append((before, mask, action, log, value, beyond, *told))
+        columns = map(torch.stack, zip(*rows, strict=True))
+        o, masks, a, old, values, beyonds, rewards, cuts = columns
+        curve.append(((update + 1) * n * LENGTH / 3600, 60 * rewards.mean().item()))
         errors, ahead = rewards + GAMMA * beyonds - values, torch.zeros(n)
         advantages = torch.zeros_like(errors)
         for t in reversed(range(LENGTH)):
@@ -71,7 +70,8 @@ def train(steps, seed=0, n_homes=16):
             nn.utils.clip_grad_norm_(weights, 0.5)
             optimizer.step()
     homes.close()
-    return lambda seen, agent: int(actor(torch.from_numpy(seen)).argmax()), curve
+    choose = (lambda x: Categorical(logits=x).sample()) if draws else torch.argmax
+    return lambda seen, agent: int(choose(actor(torch.from_numpy(seen)))), curve
 
 
 if __name__ == "__main__":

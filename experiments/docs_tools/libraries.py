@@ -146,7 +146,7 @@ def _row(name: str, documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {
         "example": name,
         "hours": runs[0]["curve"][-1][0],
-        "minutes": float(np.mean([one["seconds"] for one in runs])) / 60,
+        "seconds": float(np.mean([one["seconds"] for one in runs])),
         "versions": runs[0]["versions"],
         "probes": [score["probe_greedy"]["value"] for score in scores],
         "over_homes": scores[0]["probe_greedy"],
