@@ -121,11 +121,7 @@ def table(runs: list[Mapping[str, Any]]) -> str:
 
 def read(data: Path) -> list[Mapping[str, Any]]:
     """Reads the runs that are stored, by family and seed."""
-    files = [
-        data / f"interrupting_{family}_{seed}.json"
-        for family in FAMILIES
-        for seed in SEEDS
-    ]
+    files = [data / f"{family}_{seed}.json" for family in FAMILIES for seed in SEEDS]
     return [json.loads(file.read_text("utf-8")) for file in files]
 
 
@@ -135,7 +131,7 @@ def main() -> None:
         from experiments.running.files import to_json
 
         family, seed, data = sys.argv[2], int(sys.argv[3]), Path(sys.argv[4])
-        file = data / f"interrupting_{family}_{seed}.json"
+        file = data / f"{family}_{seed}.json"
         file.write_text(to_json(learned(family, seed)), "utf-8")
         return
     data, page = map(Path, sys.argv[2:])

@@ -34,7 +34,7 @@ def test_a_row_has_the_mean_of_all_seeds_and_the_lowest_and_the_highest():
 def test_the_page_has_the_table_of_the_stored_runs(root):
     page = (root / "docs" / "environment.md").read_text("utf-8")
     shown = page.partition(BEGIN)[2].partition(END)[0]
-    assert shown.strip() == table(read(root / "docs" / "libraries")).strip()
+    assert shown.strip() == table(read(root / "docs" / "interrupting")).strip()
 
 
 def test_a_held_robot_begins_fewer_bouts_than_one_that_always_interrupts():
