@@ -11,7 +11,6 @@ pytest.importorskip("stable_baselines3", reason="needs the extra `deep` (not in 
 import torch
 
 from experiments.deep.ppo import ppo
-from experiments.generalization.learners import NETWORKS
 from experiments.phases.seeing import Seen
 from learners.experience import Experience, Reward
 
@@ -20,9 +19,18 @@ BOB = Seen("bob", {"bob": np.array([1.0, 1.0], np.float32)})
 NOBODY = Seen("nobody", {})
 
 
+SETTINGS = {
+    "n_steps": 16,
+    "batch_size": 8,
+    "n_epochs": 10,
+    "learning_rate": 1e-3,
+    "gamma": 0.5,
+    "ent_coef": 0.01,
+}
+
+
 def learner(**settings):
-    known = NETWORKS["PPO"][1] | {"n_steps": 16, "batch_size": 8} | settings
-    return ppo(2, np.random.default_rng(0), **known)
+    return ppo(2, np.random.default_rng(0), **SETTINGS | settings)
 
 
 def entry(number, state, action, values=(), *, next_state=None, chosen=True):

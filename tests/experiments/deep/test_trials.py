@@ -7,8 +7,8 @@ pytest.importorskip("stable_baselines3", reason="needs the extra `deep` (not in 
 
 from dataclasses import replace
 
-from experiments.generalization import suite
-from experiments.generalization.learners import NETWORKS
+from experiments.generalization import deep, suite
+from experiments.generalization.learners import NETWORKS, settings
 from experiments.phases.records import Phases, Probing, Training
 from experiments.phases.trial import run
 from experiments.phases.world import World
@@ -19,11 +19,11 @@ WORLD = World(people=2)
 
 @pytest.mark.parametrize("name", NETWORKS)
 def test_a_trial_with_a_network_is_a_function_of_its_record(name):
-    learner, settings = NETWORKS[name]
+    learner, tuned = settings([name])[name]
     condition = Phases(
         name="a",
         learner=learner,
-        learner_overrides=settings,
+        learner_overrides=tuned,
         training=Training(world=WORLD, households=2, decisions=400),
         probing=Probing(
             world=WORLD,
@@ -42,12 +42,17 @@ def test_a_trial_with_a_network_is_a_function_of_its_record(name):
     assert not other["greedy"].equals(one["greedy"])
 
 
-@pytest.mark.parametrize("name", [*NETWORKS, *(n + suite.PLENTY for n in NETWORKS)])
-def test_a_network_runs_on_the_leaderboard(name):
+@pytest.mark.parametrize("name", NETWORKS)
+@pytest.mark.parametrize(
+    ("inquiry", "level"),
+    [(suite.INQUIRY, {"family": "party"}), (deep.INQUIRY, {"budget": "plenty"})],
+    ids=["suite", "deep"],
+)
+def test_a_network_runs_on_the_leaderboard(inquiry, level, name):
     condition = next(
         each
-        for each in suite.conditions()
-        if each.factors == {"learner": name, "family": "party"}
+        for each in inquiry.conditions
+        if each.factors == {"learner": name, **level}
     )
     short = replace(
         condition,
