@@ -4,6 +4,12 @@ SEEDS ?= 30
 OUT ?= runs/paper
 BIN := .venv/bin
 
+# Runs a command that may say nothing for long; a point every two seconds says it works.
+define patiently
+@(while sleep 2 && kill -0 $$$$ 2>/dev/null; do printf .; done) & \
+  $(1); status=$$?; kill $$!; exit $$status
+endef
+
 .PHONY: reproduce test docs clusters oldest lint slow golden clean
 
 reproduce: .venv/rendering
@@ -56,19 +62,16 @@ lint: .venv/developing
 
 .venv/bin/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "needs Python 3.11 or newer: make PYTHON=python3.11")'
-	$(PYTHON) -m venv .venv
+	$(call patiently,$(PYTHON) -m venv .venv)
 
 .venv/installed: pyproject.toml | .venv/bin/python
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable .
 	touch $@
 
-# With what films of the typical trials need; pip says what it does, and points say that it
-# still works where it says nothing for long.
+# With what films of the typical trials need; pip says what it does.
 .venv/rendering: pyproject.toml | .venv/bin/python
 	@echo "Installing household and what it needs into .venv; some minutes, once"
-	@(while sleep 2 && kill -0 $$$$ 2>/dev/null; do printf .; done) & \
-	  $(BIN)/pip install --disable-pip-version-check --editable '.[render]'; \
-	  installed=$$?; kill $$!; exit $$installed
+	$(call patiently,$(BIN)/pip install --disable-pip-version-check --editable '.[render]')
 	touch $@ .venv/installed
 
 .venv/developing: pyproject.toml | .venv/bin/python
