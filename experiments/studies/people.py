@@ -25,9 +25,9 @@ EXPLORATION: Mapping[str, Any] = {
 """How all learners explore, so that they differ in what they represent alone. Upper
 confidence was chosen on seeds 1000 to 1005 among softmax (.05, .2, .5), epsilon-greedy
 (.1, .3) and upper confidence (.3, .7): best for views within hearing; the others hardly
-depend on it. Seeking company came later, when the robot had been alone at up to two
-thirds of its choices, which it made at random then (nested views on seeds 1000 to 1079,
-8 people: .73 with it, .63 without)."""
+depend on it. Seeking company came later, when the robot had been alone at 38 % of its
+choices (median of seeds 1000 to 1029, 8 people), which it made at random then (nested
+views on seeds 1000 to 1079: .73 with it, .63 without)."""
 
 LEARNERS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
     "whole situation": ("designated", {"representation": "named"}),

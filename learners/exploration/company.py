@@ -10,6 +10,9 @@ from learners.errors import SavedFileError, check_part
 from learners.exploration.rules import Estimates, Exploration, Softmax
 from learners.saving import saved
 
+MOST = 10**15
+"""More than this are not counted in floating point."""
+
 
 @saved
 @dataclass(kw_only=True, eq=False)
@@ -39,10 +42,11 @@ class SeekCompany:
         """Refuse counts that cannot be.
 
         Raises:
-            SavedFileError: if one is negative.
+            SavedFileError: if one is negative, or more than anybody lives through.
         """
-        if min((*self.found.values(), *self.missed.values()), default=0) < 0:
-            raise SavedFileError("a count of company is negative")
+        counts = (*self.found.values(), *self.missed.values())
+        if not all(0 <= count <= MOST for count in counts):
+            raise SavedFileError("a count of company is negative or far too large")
 
     @property
     def needs_visits(self) -> bool:

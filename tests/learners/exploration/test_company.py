@@ -93,9 +93,10 @@ def test_a_saved_learner_goes_on_seeking_as_it_would_have(tmp_path):
     assert twin.exploration.missed == {PLAY: 3}
 
 
-def test_a_negative_count_is_refused(tmp_path):
+@pytest.mark.parametrize("count", [-1, 10**400])
+def test_a_count_that_cannot_be_is_refused(tmp_path, count):
     odd = learner()
-    odd.exploration.found[PLAY] = -1
+    odd.exploration.found[PLAY] = count
     odd.save(tmp_path / "learner.json")
     with pytest.raises(SavedFileError, match="company"):
         load(tmp_path / "learner.json")
