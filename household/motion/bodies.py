@@ -55,6 +55,9 @@ class Walks(NamedTuple):
         settled: The goal that each stopped near because others stand on it, NaN for
             none, shape (n, 2) [m].
         needs_replan: Whether each is to be sent on a walk, shape (n,).
+        unplanned: Whether each has set out and its path is still to be found, (n,).
+        goal: Where each has set out to, if that is so, shape (n, 2) [m].
+        shared: Whether others will walk to that goal, too, shape (n,).
     """
 
     walking: Annotated[Mask, "n"]
@@ -62,6 +65,9 @@ class Walks(NamedTuple):
     stalled: Annotated[Floats, "n"]
     settled: Annotated[Floats, "n", 2]
     needs_replan: Annotated[Mask, "n"]
+    unplanned: Annotated[Mask, "n"]
+    goal: Annotated[Floats, "n", 2]
+    shared: Annotated[Mask, "n"]
 
 
 class Goals(NamedTuple):
@@ -119,4 +125,7 @@ def no_walks(n: int) -> Walks:
         stalled=np.zeros(n),
         settled=np.full((n, 2), np.nan),
         needs_replan=np.zeros(n, np.bool_),
+        unplanned=np.zeros(n, np.bool_),
+        goal=np.zeros((n, 2)),
+        shared=np.zeros(n, np.bool_),
     )

@@ -26,7 +26,14 @@ from household.motion.bodies import (
 from household.motion.detours import detour
 from household.motion.free_walking import Ticks, walk_freely
 from household.motion.heads import turn_heads
-from household.motion.paths import end_of, no_paths, set_out, with_path, with_room
+from household.motion.paths import (
+    end_of,
+    find_paths,
+    no_paths,
+    set_out,
+    with_path,
+    with_room,
+)
 from household.motion.physics import Physics
 from household.motion.progress import (
     CROWDED,
@@ -69,6 +76,7 @@ class Crowd(Stateful):
         "_walks",
         "_paths",
         "_sidesteps",
+        "_unplanned",
         "_pressed",
         "_where",
     )
@@ -89,8 +97,7 @@ class Crowd(Stateful):
         self._walks = walks = no_walks(n)
         self._paths = no_paths(n)
         self._sidesteps = 0
-        self._single = Goals(np.zeros((n, 2)), np.full(n, NOBODY))
-        self._pressed = False
+        self._unplanned = self._pressed = False
         self._where: list[Point] | None = None
         self.position, self.heading, self.gaze = (
             bodies.position,
@@ -104,7 +111,9 @@ class Crowd(Stateful):
             walk_freely, bodies, walks, physics.obstacles, self._ticks
         )
         self._follow_up_push = bind(follow_up_push, bodies, walks, steering_period)
-        self._set_out = bind(set_out, self._routes.navigation, self.position, walks)
+        navigation = self._routes.navigation
+        self._set_out = bind(set_out, navigation.grid, self.position, walks)
+        self._find_paths = bind(find_paths, navigation, self.position, walks)
         standing = self.position, walks.walking, walks.settled
         self._arrived = bind(arrived, *standing)
         self._is_bound_for = bind(is_bound_for, *standing)
@@ -120,7 +129,8 @@ class Crowd(Stateful):
         self._sidesteps = 0
         self._walks.nearest[:], self._walks.stalled[:] = np.inf, 0.0
         self._walks.settled[:] = np.nan
-        self._pressed = False
+        self._walks.unplanned[:] = False
+        self._unplanned = self._pressed = False
 
     @property
     def where(self) -> list[Point]:
@@ -146,6 +156,7 @@ class Crowd(Stateful):
             i: Index of the body.
             goal: [m].
         """
+        self.find_paths()
         return self._is_bound_for(self._paths, i, goal)
 
     def arrived(self, goals: Floats, there: Mask) -> None:
@@ -157,19 +168,18 @@ class Crowd(Stateful):
         """
         self._arrived(goals, there)
 
-    def send(self, i: int, goal: Point) -> bool:
-        """Sends a body on a walk.
+    def send(self, i: int, goal: Point) -> None:
+        """Sends a body on a walk; if no path leads there, that ends where it begins.
 
         Args:
             i: Index of the body.
             goal: Where to [m]; the nearest place where it fits is good enough.
-
-        Returns:
-            Whether a path leads there.
         """
-        self._walks.needs_replan[i] = True
-        self._single.point[i] = goal
-        return self._replan(self._single, keep=False)
+        walks, paths = self._walks, self._paths
+        if not self.walking[i]:
+            paths.length[i] = paths.at[i]
+        walks.goal[i], walks.shared[i] = goal, False
+        self.walking[i] = walks.unplanned[i] = self._unplanned = True
 
     def send_who_needs_replan(self, goals: Goals, but: Sequence[int] = ()) -> None:
         """Sends everybody on a walk who is neither at its goal nor on its way there.
@@ -178,28 +188,31 @@ class Crowd(Stateful):
             goals: Where the first bodies want to be.
             but: Who stays as it is.
         """
+        self.find_paths()
         if not self._find_who_needs_replan(self._paths, goals):
             return
         for i in but:
             self._walks.needs_replan[i] = False
-        self._replan(goals, keep=True)
+        self._unplanned = self._set_out(self._paths, goals)
 
-    def _replan(self, goals: Goals, *, keep: bool) -> bool:
-        """Sends all on a walk who need a new path; returns whether one leads anywhere.
+    def find_paths(self) -> bool:
+        """Finds the paths of all who have set out; else done when they begin to walk.
 
-        Args:
-            goals: Where they want to be.
-            keep: Whether others will walk to the same goals.
+        Returns:
+            Whether there were any to find.
         """
-        most = self._set_out(self._paths, goals, keep)
+        if not self._unplanned:
+            return False
+        self._unplanned = False
+        most = self._find_paths(self._paths)
         if most > self._paths.points.shape[1]:
             self._paths = with_room(self._paths, most)
-            return self._replan(goals, keep=keep)
-        return most > 0
+            self._find_paths(self._paths)
+        return True
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
-        self.walking[i] = False
+        self.walking[i] = self._walks.unplanned[i] = False
 
     def advance(self, periods: int = 1, pursuit: Pursuit = NO_PURSUIT) -> int:
         """Lets some steering periods pass.
@@ -212,6 +225,7 @@ class Crowd(Stateful):
             How many have passed: fewer, if somebody has something to decide, such as a
             body that may be within reach of its target.
         """
+        self.find_paths()
         if not (self._pressed or True in self.walking.tolist()):
             return periods if set(pursuit.target.tolist()) <= {NOBODY} else 1
         passed, stuck = 0, False

@@ -8,6 +8,7 @@ import numpy as np
 from household.compiled.arrays import NOBODY, Floats, Indices
 from household.compiled.jit import compiled
 from household.config.toml import Point
+from household.home.navigation.grid import Grid, leads_to
 from household.home.navigation.path import ROOM, Navigation, Waypoints, find_path
 from household.motion.bodies import Goals, Walks
 
@@ -63,45 +64,75 @@ def end_of(paths: Paths, i: int) -> Point:
 
 @compiled
 def set_out(
-    navigation: Navigation,
+    grid: Grid,
     position: Annotated[Floats, "n", 2],
     walks: Walks,
     paths: Paths,
     goals: Goals,
-    keep: bool,
-) -> int:
-    """Sends everybody on a walk who needs a new path.
+) -> bool:
+    """Lets everybody set out who needs a new path; `find_paths` finds it later.
 
-    A body to whose goal no path leads stands still. At the end, `Walks.needs_replan`
-    holds for those bodies whose path has more waypoints than there is room for.
+    A body to whose goal no path leads stands still.
+
+    Args:
+        grid: The free space of the home.
+        position: Of all bodies, shape (n, 2) [m].
+        walks: Changed in place for those who set out.
+        paths: Of all bodies; those of who stood still have nothing left.
+        goals: Where the first bodies want to be. Others will walk to the same points,
+            but not to the same targets.
+
+    Returns:
+        Whether anybody has set out.
+    """
+    anybody, walking = False, walks.walking
+    for i in range(len(goals.target)):
+        if not walks.needs_replan[i]:
+            continue
+        goal = goal_of(goals, i, position)
+        if not walking[i]:
+            paths.length[i] = paths.at[i]
+        walking[i] = leads_to(grid, (position[i, 0], position[i, 1]), goal)
+        walks.unplanned[i] = walking[i]
+        walks.goal[i, 0], walks.goal[i, 1] = goal
+        walks.shared[i] = goals.target[i] == NOBODY
+        anybody |= walking[i]
+    return anybody
+
+
+@compiled
+def find_paths(
+    navigation: Navigation,
+    position: Annotated[Floats, "n", 2],
+    walks: Walks,
+    paths: Paths,
+) -> int:
+    """Finds the paths of all who have set out.
+
+    A body to whose goal no path leads stands still. At the end, `Walks.unplanned` holds
+    for those bodies whose path has more waypoints than there is room for.
 
     Args:
         navigation: Of the home; the paths that it keeps are brought up to date.
         position: Of all bodies, shape (n, 2) [m].
-        walks: Changed in place for those who set out.
+        walks: Changed in place for those who have set out.
         paths: Likewise.
-        goals: Where they want to be.
-        keep: Whether to keep the paths to the goals for others who walk there; not done
-            for targets.
 
     Returns:
         How many waypoints the longest new path has, 0 if there is none.
     """
-    most, walking, needs_replan = 0, walks.walking, walks.needs_replan
-    for i in range(len(goals.target)):
-        if not needs_replan[i]:
+    most, walking, unplanned = 0, walks.walking, walks.unplanned
+    for i in range(len(unplanned)):
+        if not unplanned[i]:
             continue
         here = position[i, 0], position[i, 1]
-        goal = goal_of(goals, i, position)
-        left = paths.length[i] if walking[i] else paths.at[i]
-        path = Waypoints(paths.points[i], paths.at[i], left)
-        kept = keep and goals.target[i] == NOBODY
-        found = find_path(navigation, here, goal, path, kept)
-        needs_replan[i] = found > paths.points.shape[1]
+        goal = walks.goal[i, 0], walks.goal[i, 1]
+        path = Waypoints(paths.points[i], paths.at[i], paths.length[i])
+        found = find_path(navigation, here, goal, path, walks.shared[i])
+        unplanned[i] = found > paths.points.shape[1]
         if found == 0:
             walking[i] = False
-        elif not needs_replan[i]:
-            walking[i] = True
+        elif not unplanned[i]:
             paths.at[i], paths.length[i] = 0, found
             walks.nearest[i], walks.stalled[i] = np.inf, 0.0
             walks.settled[i] = np.nan

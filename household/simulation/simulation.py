@@ -231,7 +231,7 @@ class Simulation(Stateful):
         Returns:
             Whether there was any.
         """
-        return self.begun and self._noise.draw_ahead()
+        return self.begun and (self.crowd.find_paths() or self._noise.draw_ahead())
 
     def _set_clock(self, decision: int) -> None:
         self.decision = decision

@@ -149,10 +149,17 @@ class Share:
             home.tell()
 
     def chores(self) -> Iterator[None]:
-        """Does what later steps will need, a few microseconds' worth at a time."""
-        for home in self._homes:
-            while home.simulation.prepare():
-                yield
+        """Does what later steps will need, a few microseconds' worth at a time.
+
+        Each home in turn: what is more urgent comes first in all of them.
+        """
+        pending = [home.simulation.prepare for home in self._homes]
+        while pending:
+            for prepare in pending.copy():
+                if prepare():
+                    yield
+                else:
+                    pending.remove(prepare)
 
     def _clear(self) -> None:
         self._rewards.fill(0.0)

@@ -87,7 +87,7 @@ def walk():
 
     def send(crowd, goals, most):
         for i, goal in enumerate(goals):
-            assert crowd.send(i, goal)
+            crowd.send(i, goal)
         arrived, track = {}, [crowd.position.copy()]
         for moment in range(round(most / 0.2)):
             crowd.advance()

@@ -58,19 +58,22 @@ def ends_of(grid: Grid, start: Point, goal: Point) -> tuple[int, int, Point]:
         The first cell and the last, the same for a walk straight there, `NOWHERE`
         for none; and the point where it ends [m].
     """
-    free, parts, corner = grid.free, grid.parts, grid.corner
-    a, b = cell_of(free, corner, start), cell_of(free, corner, goal)
-    if not _is_indoors(grid, a):
-        a = _nearest(grid, start)
-    if not _is_indoors(grid, b):
-        b = _nearest(grid, goal)
+    free, corner = grid.free, grid.corner
+    a, b = _indoors(grid, start), _indoors(grid, goal)
+    if b != cell_of(free, corner, goal):
         goal = corner[0] + (b[0] + 0.5) * CELL, corner[1] + (b[1] + 0.5) * CELL
-    if parts[a] != parts[b]:
+    if grid.parts[a] != grid.parts[b]:
         return NOWHERE, NOWHERE, goal
     last = b[0] * free.shape[1] + b[1]
     if line_is_free(free, in_cells(corner, start), in_cells(corner, goal)):
         return last, last, goal
     return a[0] * free.shape[1] + a[1], last, goal
+
+
+@compiled
+def leads_to(grid: Grid, start: Point, goal: Point) -> bool:
+    """Whether a walk leads from one point to the other, or near it, as in `ends_of`."""
+    return grid.parts[_indoors(grid, start)] == grid.parts[_indoors(grid, goal)]
 
 
 @compiled
@@ -87,6 +90,13 @@ def cell_of(free: Mask, corner: Floats, point: Point) -> tuple[int, int]:
         min(max(int(x), 0), free.shape[0] - 1),
         min(max(int(y), 0), free.shape[1] - 1),
     )
+
+
+@compiled
+def _indoors(grid: Grid, point: Point) -> tuple[int, int]:
+    """The cell that holds a point [m], or else the nearest one where a body fits."""
+    cell = cell_of(grid.free, grid.corner, point)
+    return cell if _is_indoors(grid, cell) else _nearest(grid, point)
 
 
 @compiled

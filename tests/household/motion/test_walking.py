@@ -62,7 +62,7 @@ def test_the_engine_is_asked_only_where_bodies_may_touch(
 ):
     crowd = crowd_in(room(), start)
     engine = Asked(crowd, monkeypatch)
-    assert crowd.send(0, goal)
+    crowd.send(0, goal)
     for _ in range(60):
         crowd.advance()
     taken = any(tuple(body) == goal for body in start)
@@ -72,7 +72,7 @@ def test_the_engine_is_asked_only_where_bodies_may_touch(
 
 def test_who_walks_does_not_move_who_stands_but_goes_round(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
-    assert crowd.send(0, (7.0, 2.5))
+    crowd.send(0, (7.0, 2.5))
     aside = 0.0
     while crowd.walks(0):
         crowd.advance()
@@ -97,7 +97,7 @@ def test_a_walker_with_all_sides_blocked_waits_without_turning_and_then_pushes(
     room, crowd_in
 ):
     crowd = crowd_in(room(), [(4.0, 2.5), *CLOSE])
-    assert crowd.send(0, (7.0, 2.5))
+    crowd.send(0, (7.0, 2.5))
     here, ahead, moved = [], [], []
     for _ in range(10):
         crowd.advance()
@@ -116,8 +116,8 @@ def test_walking_freely_is_what_the_engine_would_have_made_of_it(room, crowd_in)
     tracks = []
     for with_engine in (False, True):
         crowd = crowd_in(room(), [(1.0, 2.0), (7.0, 3.0)])
-        assert crowd.send(0, (7.0, 2.0))
-        assert crowd.send(1, (1.0, 3.0))
+        crowd.send(0, (7.0, 2.0))
+        crowd.send(1, (1.0, 3.0))
         track = []
         for _ in range(20):
             crowd._pressed = with_engine
@@ -195,7 +195,7 @@ def test_four_people_change_sides_through_one_doorway(room, crowd_in, walk):
 
 def test_who_stands_in_the_way_is_walked_round(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
-    assert crowd.send(0, (7.0, 2.5))
+    crowd.send(0, (7.0, 2.5))
     for _ in range(50):
         crowd.advance()
     np.testing.assert_allclose(crowd.position[0], [7.0, 2.5], atol=0.1)
@@ -208,7 +208,7 @@ def bound(crowd, goals):
 
 def test_all_are_asked_at_once_who_has_arrived(room, crowd_in):
     crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5), (6.0, 1.0), (7.0, 4.0)])
-    assert crowd.send(1, (4.0, 4.0))
+    crowd.send(1, (4.0, 4.0))
     standing, walking = (1.05, 2.5), (4.0, 4.0)
     goals, there = [standing, walking, (6.15, 1.0)], np.zeros(3, dtype=bool)
     assert bound(crowd, goals) == [True, True, False]
@@ -249,7 +249,7 @@ def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     radius, mass = np.full(2, PERSON), np.array([70.0, 1e6])
     crowd = Crowd(room(), BodyParams(radius, mass, np.full(2, 1.2)), 0.2, 0.1)
     crowd.place(np.array([(1.0, 2.5), (4.0, 2.5)]), np.zeros(2))
-    assert crowd.send(0, (4.0, 2.5))
+    crowd.send(0, (4.0, 2.5))
     for _ in range(100):
         crowd.advance()
     assert not crowd.walks(0)
