@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 PARTS = {
     "robots set out": "simulation.move_robots",
+    "paths are found": "simulation.find_paths",
     "everybody walks, people touch": "simulation.walk_and_touch",
     "heads turn": "simulation.turn_heads",
     "everybody perceives": "simulation.perceive",

@@ -49,7 +49,7 @@ ROBOT_VIEW = math.radians(120.0) / 2
 """Half a robot's field of view [rad]."""
 
 PHASES = (
-    *("move_robots", "walk_and_touch", "turn_heads"),
+    *("move_robots", "find_paths", "walk_and_touch", "turn_heads"),
     *("perceive", "appraise", "decide"),
 )
 """What happens in a decision period once robots have chosen, in this order. Where many
@@ -248,6 +248,10 @@ class Simulation(Stateful):
             mover = self._movers[robot]
             mover.begins = bout.decision == self.decision
             self._motions[bout.behavior](mover, self.crowd)
+
+    def find_paths(self) -> None:
+        """Paths are found for all who have set out, unless that was prepared."""
+        self.crowd.find_paths()
 
     def walk_and_touch(self) -> None:
         """People walk and touch robots that they reach, until the period is over."""
