@@ -54,20 +54,12 @@ class Walks(NamedTuple):
         stalled: For how long each has come no nearer to it, shape (n,) [s].
         settled: The goal that each stopped near because others stand on it, NaN for
             none, shape (n, 2) [m].
-        needs_replan: Whether each is to be sent on a walk, shape (n,).
-        unplanned: Whether each has set out and its path is still to be found, (n,).
-        goal: Where each has set out to, if that is so, shape (n, 2) [m].
-        shared: Whether others will walk to that goal, too, shape (n,).
     """
 
     walking: Annotated[Mask, "n"]
     nearest: Annotated[Floats, "n"]
     stalled: Annotated[Floats, "n"]
     settled: Annotated[Floats, "n", 2]
-    needs_replan: Annotated[Mask, "n"]
-    unplanned: Annotated[Mask, "n"]
-    goal: Annotated[Floats, "n", 2]
-    shared: Annotated[Mask, "n"]
 
 
 class Goals(NamedTuple):
@@ -124,8 +116,4 @@ def no_walks(n: int) -> Walks:
         nearest=np.full(n, np.inf),
         stalled=np.zeros(n),
         settled=np.full((n, 2), np.nan),
-        needs_replan=np.zeros(n, np.bool_),
-        unplanned=np.zeros(n, np.bool_),
-        goal=np.zeros((n, 2)),
-        shared=np.zeros(n, np.bool_),
     )

@@ -29,6 +29,7 @@ from household.motion.heads import turn_heads
 from household.motion.paths import (
     end_of,
     find_paths,
+    no_departures,
     no_paths,
     set_out,
     with_path,
@@ -75,8 +76,9 @@ class Crowd(Stateful):
         "gaze",
         "_walks",
         "_paths",
-        "_sidesteps",
+        "_departures",
         "_unplanned",
+        "_sidesteps",
         "_pressed",
         "_where",
     )
@@ -96,6 +98,7 @@ class Crowd(Stateful):
         bodies = bodies_at_rest(params, physics.velocity, zeros)
         self._walks = walks = no_walks(n)
         self._paths = no_paths(n)
+        self._departures = departures = no_departures(n)
         self._sidesteps = 0
         self._unplanned = self._pressed = False
         self._where: list[Point] | None = None
@@ -111,13 +114,19 @@ class Crowd(Stateful):
             walk_freely, bodies, walks, physics.obstacles, self._ticks
         )
         self._follow_up_push = bind(follow_up_push, bodies, walks, steering_period)
-        navigation = self._routes.navigation
-        self._set_out = bind(set_out, navigation.grid, self.position, walks)
-        self._find_paths = bind(find_paths, navigation, self.position, walks)
         standing = self.position, walks.walking, walks.settled
         self._arrived = bind(arrived, *standing)
         self._is_bound_for = bind(is_bound_for, *standing)
-        self._find_who_needs_replan = bind(find_who_needs_replan, self.position, walks)
+        self._find_who_needs_replan = bind(
+            find_who_needs_replan, *standing, departures.due
+        )
+        navigation = self._routes.navigation
+        self._set_out = bind(
+            set_out, navigation.grid, self.position, walks.walking, departures
+        )
+        self._find_paths = bind(
+            find_paths, navigation, self.position, walks, departures
+        )
         self._turn_heads = bind(turn_heads, bodies, walks.walking)
 
     def place(self, position: Floats, heading: Floats) -> None:
@@ -129,7 +138,7 @@ class Crowd(Stateful):
         self._sidesteps = 0
         self._walks.nearest[:], self._walks.stalled[:] = np.inf, 0.0
         self._walks.settled[:] = np.nan
-        self._walks.unplanned[:] = False
+        self._departures.unplanned[:] = False
         self._unplanned = self._pressed = False
 
     @property
@@ -156,7 +165,8 @@ class Crowd(Stateful):
             i: Index of the body.
             goal: [m].
         """
-        self.find_paths()
+        if self._departures.unplanned[i]:
+            self.find_paths()
         return self._is_bound_for(self._paths, i, goal)
 
     def arrived(self, goals: Floats, there: Mask) -> None:
@@ -175,11 +185,11 @@ class Crowd(Stateful):
             i: Index of the body.
             goal: Where to [m]; the nearest place where it fits is good enough.
         """
-        walks, paths = self._walks, self._paths
+        departures, paths = self._departures, self._paths
         if not self.walking[i]:
-            paths.length[i] = paths.at[i]
-        walks.goal[i], walks.shared[i] = goal, False
-        self.walking[i] = walks.unplanned[i] = self._unplanned = True
+            paths.length[i] = paths.at[i]  # Nothing of the last one is left.
+        departures.goal[i], departures.shared[i] = goal, False
+        self.walking[i] = departures.unplanned[i] = self._unplanned = True
 
     def send_who_needs_replan(self, goals: Goals, but: Sequence[int] = ()) -> None:
         """Sends everybody on a walk who is neither at its goal nor on its way there.
@@ -192,7 +202,7 @@ class Crowd(Stateful):
         if not self._find_who_needs_replan(self._paths, goals):
             return
         for i in but:
-            self._walks.needs_replan[i] = False
+            self._departures.due[i] = False
         self._unplanned = self._set_out(self._paths, goals)
 
     def find_paths(self) -> bool:
@@ -212,7 +222,7 @@ class Crowd(Stateful):
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
-        self.walking[i] = self._walks.unplanned[i] = False
+        self.walking[i] = self._departures.unplanned[i] = False
 
     def advance(self, periods: int = 1, pursuit: Pursuit = NO_PURSUIT) -> int:
         """Lets some steering periods pass.

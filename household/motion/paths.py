@@ -5,7 +5,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from household.compiled.arrays import NOBODY, Floats, Indices
+from household.compiled.arrays import NOBODY, Floats, Indices, Mask
 from household.compiled.jit import compiled
 from household.config.toml import Point
 from household.home.navigation.grid import Grid, leads_to
@@ -25,6 +25,32 @@ class Paths(NamedTuple):
     points: Annotated[Floats, "n", "most", 2]
     at: Annotated[Indices, "n"]
     length: Annotated[Indices, "n"]
+
+
+class Departures(NamedTuple):
+    """Who sets out, and where to.
+
+    Attributes:
+        due: Whether each body is to set out, shape (n,).
+        unplanned: Whether each has set out and its path is still to be found, (n,).
+        goal: Where each has set out to, if that is so, shape (n, 2) [m].
+        shared: Whether others will walk to that goal, too, shape (n,).
+    """
+
+    due: Annotated[Mask, "n"]
+    unplanned: Annotated[Mask, "n"]
+    goal: Annotated[Floats, "n", 2]
+    shared: Annotated[Mask, "n"]
+
+
+def no_departures(n: int) -> Departures:
+    """So many bodies of which none sets out."""
+    return Departures(
+        due=np.zeros(n, np.bool_),
+        unplanned=np.zeros(n, np.bool_),
+        goal=np.zeros((n, 2)),
+        shared=np.zeros(n, np.bool_),
+    )
 
 
 def no_paths(n: int) -> Paths:
@@ -66,18 +92,20 @@ def end_of(paths: Paths, i: int) -> Point:
 def set_out(
     grid: Grid,
     position: Annotated[Floats, "n", 2],
-    walks: Walks,
+    walking: Annotated[Mask, "n"],
+    departures: Departures,
     paths: Paths,
     goals: Goals,
 ) -> bool:
-    """Lets everybody set out who needs a new path; `find_paths` finds it later.
+    """Lets everybody set out who is to; `find_paths` finds the paths later.
 
     A body to whose goal no path leads stands still.
 
     Args:
         grid: The free space of the home.
         position: Of all bodies, shape (n, 2) [m].
-        walks: Changed in place for those who set out.
+        walking: Whether each body is on a walk, shape (n,); changed in place.
+        departures: Who is to set out; where they go is set.
         paths: Of all bodies; those of who stood still have nothing left.
         goals: Where the first bodies want to be. Others will walk to the same points,
             but not to the same targets.
@@ -85,17 +113,17 @@ def set_out(
     Returns:
         Whether anybody has set out.
     """
-    anybody, walking = False, walks.walking
+    anybody = False
     for i in range(len(goals.target)):
-        if not walks.needs_replan[i]:
+        if not departures.due[i]:
             continue
         goal = goal_of(goals, i, position)
         if not walking[i]:
             paths.length[i] = paths.at[i]
         walking[i] = leads_to(grid, (position[i, 0], position[i, 1]), goal)
-        walks.unplanned[i] = walking[i]
-        walks.goal[i, 0], walks.goal[i, 1] = goal
-        walks.shared[i] = goals.target[i] == NOBODY
+        departures.unplanned[i] = walking[i]
+        departures.goal[i, 0], departures.goal[i, 1] = goal
+        departures.shared[i] = goals.target[i] == NOBODY
         anybody |= walking[i]
     return anybody
 
@@ -105,30 +133,32 @@ def find_paths(
     navigation: Navigation,
     position: Annotated[Floats, "n", 2],
     walks: Walks,
+    departures: Departures,
     paths: Paths,
 ) -> int:
     """Finds the paths of all who have set out.
 
-    A body to whose goal no path leads stands still. At the end, `Walks.unplanned` holds
-    for those bodies whose path has more waypoints than there is room for.
+    A body to whose goal no path leads stands still. At the end, `Departures.unplanned`
+    holds for those bodies whose path has more waypoints than there is room for.
 
     Args:
         navigation: Of the home; the paths that it keeps are brought up to date.
         position: Of all bodies, shape (n, 2) [m].
         walks: Changed in place for those who have set out.
-        paths: Likewise.
+        departures: Who has set out, and where to; changed in place.
+        paths: Of all bodies, changed in place.
 
     Returns:
         How many waypoints the longest new path has, 0 if there is none.
     """
-    most, walking, unplanned = 0, walks.walking, walks.unplanned
+    most, walking, unplanned = 0, walks.walking, departures.unplanned
     for i in range(len(unplanned)):
         if not unplanned[i]:
             continue
         here = position[i, 0], position[i, 1]
-        goal = walks.goal[i, 0], walks.goal[i, 1]
+        goal = departures.goal[i, 0], departures.goal[i, 1]
         path = Waypoints(paths.points[i], paths.at[i], paths.length[i])
-        found = find_path(navigation, here, goal, path, walks.shared[i])
+        found = find_path(navigation, here, goal, path, departures.shared[i])
         unplanned[i] = found > paths.points.shape[1]
         if found == 0:
             walking[i] = False

@@ -160,25 +160,31 @@ def arrived(
 
 @compiled
 def find_who_needs_replan(
-    position: Annotated[Floats, "n", 2], walks: Walks, paths: Paths, goals: Goals
+    position: Annotated[Floats, "n", 2],
+    walking: Annotated[Mask, "n"],
+    settled: Annotated[Floats, "n", 2],
+    due: Annotated[Mask, "n"],
+    paths: Paths,
+    goals: Goals,
 ) -> bool:
     """Finds out who is neither at its goal nor on its way there.
 
     Args:
         position: Of all bodies, shape (n, 2) [m].
-        walks: Its `needs_replan` is set for the bodies that have a goal.
+        walking: As in `Walks`, shape (n,).
+        settled: As in `Walks`, shape (n, 2) [m].
+        due: Set for the bodies that have a goal: whether each is to set out, (n,).
         paths: Of all bodies.
         goals: Where the first bodies want to be.
 
     Returns:
         Whether anybody is.
     """
-    walking, settled, needs_replan = walks.walking, walks.settled, walks.needs_replan
     anybody = False
     for i in range(len(goals.target)):
         goal = goal_of(goals, i, position)
-        needs_replan[i] = not is_bound_for(position, walking, settled, paths, i, goal)
-        anybody |= needs_replan[i]
+        due[i] = not is_bound_for(position, walking, settled, paths, i, goal)
+        anybody |= due[i]
     return anybody
 
 
