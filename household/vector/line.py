@@ -76,19 +76,19 @@ class Line:
         Args:
             meanwhile: Small pieces of work to do while nothing is heard.
         """
-        theirs, heard, pieces = self._theirs, self._heard, iter(meanwhile)
-        until = time.perf_counter() + (SPIN if ORDERED else 0.0)
-        looks = 1  # One after each piece of work, and many when all is done.
-        while True:
-            for _ in range(looks if ORDERED else 0):
+        theirs, heard = self._theirs, self._heard
+        if ORDERED and theirs[LAST_WORD] != heard:
+            return self._word()
+        for _ in meanwhile:
+            if ORDERED and theirs[LAST_WORD] != heard:
+                return self._word()
+        until = time.perf_counter() + SPIN
+        while ORDERED and time.perf_counter() < until:
+            for _ in range(LOOKS):
                 if theirs[LAST_WORD] != heard:
                     return self._word()
-            if next(pieces, GONE) is None:
-                continue
-            looks = LOOKS
-            if time.perf_counter() < until:
-                os.sched_yield()
-                continue
+            os.sched_yield()
+        while True:
             word = self._woken()
             if word != WAKE:
                 return word
