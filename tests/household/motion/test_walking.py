@@ -245,6 +245,59 @@ def test_paths_with_many_turns_make_room_for_themselves(room, crowd_in):
     assert crowd.walking.all()
 
 
+def closed_off(room):
+    """A room whose right end nobody can get into."""
+    return room(walls=((5.0, 0.0, 5.0, 5.0),))
+
+
+def test_where_no_path_leads_people_stand_still_and_robots_do_once_they_would_walk(
+    room, crowd_in
+):
+    crowd = crowd_in(closed_off(room), [(1.0, 1.0), (1.0, 2.5), (1.0, 4.0)])
+    goals, nobody = np.array([(7.0, 1.0), (3.0, 2.5)]), np.full(2, NOBODY)
+    crowd.send_who_needs_replan(Goals(goals, nobody))
+    crowd.send(2, (7.0, 4.0))
+    assert crowd.walking.tolist() == [False, True, True]
+    crowd.advance()
+    assert crowd.walking.tolist() == [False, True, False]
+    np.testing.assert_array_equal(crowd.position[[0, 2]], [(1.0, 1.0), (1.0, 4.0)])
+    assert crowd.position[1, 0] > 1.0
+
+
+@pytest.mark.parametrize("stop", ["halt", "place"])
+def test_who_is_stopped_before_it_walks_stays_where_it_is(room, crowd_in, stop):
+    start = [(1.0, 2.5), FAR]
+    crowd = crowd_in(room(), start)
+    crowd.send(0, (7.0, 2.5))
+    if stop == "halt":
+        crowd.halt(0)
+    else:
+        crowd.place(np.array(start), np.zeros(2))
+    crowd.advance(5)
+    assert not crowd.walking.any()
+    np.testing.assert_array_equal(crowd.position, start)
+
+
+def test_paths_found_beforehand_lead_where_those_found_on_the_way_do(room, crowd_in):
+    walls = ((3.0, 0.0, 3.0, 4.0), (5.0, 1.0, 5.0, 5.0))
+    start, ways = [(1.0, 1.0), (1.0, 2.5), (7.0, 4.0)], {0: (7.0, 2.5), 2: (1.0, 4.0)}
+    tracks = []
+    for beforehand in (False, True):
+        crowd = crowd_in(room(walls=walls), start)
+        track = []
+        for moment in range(60):
+            if moment % 20 == 0:
+                for i, goal in ways.items():
+                    crowd.send(i, goal if moment != 20 else start[i])
+            if beforehand:
+                assert crowd.find_paths() == (moment % 20 == 0)
+                assert not crowd.find_paths()
+            crowd.advance()
+            track.append(crowd.position.copy())
+        tracks.append(track)
+    np.testing.assert_array_equal(*tracks)
+
+
 def test_who_is_kept_from_a_place_is_bound_for_it_while_it_stays_near(room):
     radius, mass = np.full(2, PERSON), np.array([70.0, 1e6])
     crowd = Crowd(room(), BodyParams(radius, mass, np.full(2, 1.2)), 0.2, 0.1)
