@@ -83,7 +83,8 @@ def _compared(
     if others:
         best = [max(each) for each in zip(*(rates[k] for k in others), strict=True)]
         ahead = ratios(rates[WORKER], best)
-        yield _measured(n, "with a worker / best of the others", "x", ahead, at_least=2.5)
+        name = "with a worker / best of the others"
+        yield _measured(n, name, "x", ahead, at_least=2.5)
 
 
 def _measured(

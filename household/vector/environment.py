@@ -17,7 +17,6 @@ from household.errors import HouseholdError, shown
 from household.household_v0 import make_minds as usual_minds
 from household.observation.encodings import Features
 from household.observation.frame import common_frame
-from household.observation.notices import Notices
 from household.people.people import MakeMinds
 from household.scenario.scenario import Scenario
 from household.scenario.validation import load_scenario

@@ -13,6 +13,7 @@ import select
 import socket
 import time
 from collections.abc import Iterable
+from itertools import chain
 
 from household.compiled.arrays import Integers
 
@@ -76,24 +77,29 @@ class Line:
         Args:
             meanwhile: Small pieces of work to do while nothing is heard.
         """
-        theirs, heard = self._theirs, self._heard
-        if ORDERED and theirs[LAST_WORD] != heard:
-            return self._word()
-        for _ in meanwhile:
-            if ORDERED and theirs[LAST_WORD] != heard:
+        # One look at once, and one after each piece of work.
+        for _ in chain((None,), meanwhile):
+            if ORDERED and self._theirs[LAST_WORD] != self._heard:
                 return self._word()
+        return self._word() if self._spin() else self._sleep()
+
+    def _spin(self) -> bool:
+        """Looks again and again for a while; returns whether anything was said."""
+        theirs, heard = self._theirs, self._heard
         until = time.perf_counter() + SPIN
         while ORDERED and time.perf_counter() < until:
             for _ in range(LOOKS):
                 if theirs[LAST_WORD] != heard:
-                    return self._word()
+                    return True
             os.sched_yield()
-        while True:
-            word = self._woken()
-            if word != WAKE:
-                return word
-            if theirs[LAST_WORD] != heard:
+        return False
+
+    def _sleep(self) -> bytes:
+        """Sleeps until something is said, and returns it."""
+        while (word := self._woken()) == WAKE:
+            if self._theirs[LAST_WORD] != self._heard:
                 return self._word()
+        return word
 
     def _word(self) -> bytes:
         self._heard = self._theirs[LAST_WORD]
