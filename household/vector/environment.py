@@ -261,9 +261,12 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
 
 
 def _shares(homes: int, workers: int) -> list[list[int]]:
-    """The homes of this process and of each worker, as many in each, none empty."""
+    """The homes of this process and of each worker, as many in each, none empty.
+
+    Where they do not share out evenly this process has fewer: it does all else, too.
+    """
     parts = np.array_split(np.arange(homes), min(workers + 1, homes))
-    return [part.tolist() for part in parts]
+    return [part.tolist() for part in reversed(parts)]
 
 
 def _hand_out(buffers: Iterable[NDArray[Any]], *, copy: bool) -> list[Keep]:
