@@ -61,7 +61,8 @@ class DelayDensity(CreditRule):
         return Weighing(weights, max(weights, key=weights.__getitem__))
 
     def _mass(self, felt: float, begin: float, end: float) -> float:
-        return self.cumulative(felt - begin) - self.cumulative(felt - min(end, felt))
+        mass = self.cumulative(felt - begin) - self.cumulative(felt - min(end, felt))
+        return max(mass, 0.0)  # Rounding can make nothing less than that.
 
     def cumulative(self, delay: float) -> float:
         """Probability of a delay up to so many seconds (Erlang distribution)."""

@@ -115,6 +115,19 @@ def test_the_delay_density_credits_each_entry_by_its_probability(entry, touch):
     assert designated == 1
 
 
+def test_of_entries_too_short_for_floating_point_none_is_meant_by_more_than_itself(
+    entry, touch
+):
+    rng = np.random.default_rng(0)
+    for _ in range(2000):
+        history, time = History(), 0.0
+        for length in 1e-8 * rng.random(rng.integers(1, 5)):
+            history.append(entry("a", 0, time, next_time=time + length))
+            time += length
+        weights, _ = weigh(DelayDensity(), touch(time=time), history)
+        assert all(0.0 < weight <= 1.0 for weight in weights.values())
+
+
 @pytest.fixture
 def phone_history(entry):
     """A bark from 0 to 2 s, then sleep: the giver walks from 3 to 8 s."""
