@@ -186,6 +186,8 @@ class Crowd(Stateful):
             goal: Where to [m]; the nearest place where it fits is good enough.
         """
         departures, paths = self._departures, self._paths
+        if departures.unplanned[i]:
+            self.find_paths()
         if not self.walking[i]:
             paths.length[i] = paths.at[i]  # Nothing of the last one is left.
         departures.goal[i], departures.shared[i] = goal, False
@@ -206,7 +208,7 @@ class Crowd(Stateful):
         self._unplanned = self._set_out(self._paths, goals)
 
     def find_paths(self) -> bool:
-        """Finds the paths of all who have set out; else done when they begin to walk.
+        """Finds the paths of all who have set out; done before anything needs them.
 
         Returns:
             Whether there were any to find.
@@ -222,7 +224,9 @@ class Crowd(Stateful):
 
     def halt(self, i: int) -> None:
         """Ends a body's walk where it is."""
-        self.walking[i] = self._departures.unplanned[i] = False
+        if self._departures.unplanned[i]:
+            self.find_paths()
+        self.walking[i] = False
 
     def advance(self, periods: int = 1, pursuit: Pursuit = NO_PURSUIT) -> int:
         """Lets some steering periods pass.

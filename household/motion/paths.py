@@ -31,7 +31,7 @@ class Departures(NamedTuple):
     """Who sets out, and where to.
 
     Attributes:
-        due: Whether each body is to set out, shape (n,).
+        due: Whether each body was to set out when that was last found out, shape (n,).
         unplanned: Whether each has set out and its path is still to be found, (n,).
         goal: Where each has set out to, if that is so, shape (n, 2) [m].
         shared: Whether others will walk to that goal, too, shape (n,).

@@ -129,12 +129,13 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self._workers = Workers(size)
         self._buffers = buffers = buffers_in(self._workers.record)
         # Found once: at a single home, looking them up takes as long as copying them.
-        self._everybody = np.ones(self.num_envs, np.bool_)
-        now, nobody = buffers.now, np.zeros(self.num_envs, np.bool_)
-        told = (now.observations, *now.notices, self._everybody)
-        self._told = _hand_out(told, copy=copy)
-        results = (buffers.rewards, nobody, buffers.truncations)
-        self._results = _hand_out((*results, *told), copy=copy)
+        now, rewards, truncations = buffers.now, buffers.rewards, buffers.truncations
+        told = _hand_out((now.observations, *now.notices), copy=copy)
+        results = _hand_out((rewards, truncations), copy=copy)
+        # Always copies: no step writes these anew.
+        nobody = np.zeros(self.num_envs, np.bool_)
+        self._told = [*told, (~nobody).copy]
+        self._results = [*results, nobody.copy, *self._told]
         try:
             # First here: what is compiled for that, the others find on disk.
             self._mine = Share(plan, mine, self._buffers)
@@ -200,7 +201,7 @@ class VectorHousehold(VectorEnv[Singles, Integers, NDArray[Any]]):
         self._buffers.actions[:] = self._checked(actions)
         self._together(STEP)
         kept = [hand_out() for hand_out in self._results]
-        rewards, nobody, truncations, observations, *notices, everybody = kept
+        rewards, truncations, nobody, observations, *notices, everybody = kept
         infos = _infos(notices, everybody)
         if True in truncations.tolist():
             infos |= _final(self._buffers.final, truncations.copy())

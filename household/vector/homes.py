@@ -151,7 +151,7 @@ class Share:
     def chores(self) -> Iterator[None]:
         """Does what later steps will need, a few microseconds' worth at a time.
 
-        Each home in turn: what is more urgent comes first in all of them.
+        The homes take turns, so that none gets all the time there is.
         """
         pending = [home.simulation.prepare for home in self._homes]
         while pending:

@@ -95,7 +95,7 @@ class Line:
         return False
 
     def _sleep(self) -> bytes:
-        """Sleeps until something is said, and returns it."""
+        """Sleeps until something is said, and returns it, or that nobody is there."""
         while (word := self._woken()) == WAKE:
             if self._theirs[LAST_WORD] != self._heard:
                 return self._word()

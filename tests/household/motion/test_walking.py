@@ -278,6 +278,19 @@ def test_who_is_stopped_before_it_walks_stays_where_it_is(room, crowd_in, stop):
     np.testing.assert_array_equal(crowd.position, start)
 
 
+def test_who_was_sent_and_stopped_no_longer_stays_near_where_others_stood(
+    room, crowd_in
+):
+    crowd = crowd_in(room(), [(1.0, 2.5), (4.0, 2.5)])
+    crowd.send(0, (4.0, 2.5))
+    for _ in range(100):
+        crowd.advance()
+    assert crowd.is_bound_for(0, (4.0, 2.5))
+    crowd.send(0, (7.0, 4.0))
+    crowd.halt(0)
+    assert not crowd.is_bound_for(0, (4.0, 2.5))
+
+
 def test_paths_found_beforehand_lead_where_those_found_on_the_way_do(room, crowd_in):
     walls = ((3.0, 0.0, 3.0, 4.0), (5.0, 1.0, 5.0, 5.0))
     start, ways = [(1.0, 1.0), (1.0, 2.5), (7.0, 4.0)], {0: (7.0, 2.5), 2: (1.0, 4.0)}

@@ -311,6 +311,20 @@ def test_what_was_returned_is_the_callers_own_unless_it_waives_that(make):
     assert (second == step[0]).all()
 
 
+@pytest.mark.parametrize("copy", [True, False])
+def test_what_no_step_writes_anew_is_the_callers_own_in_any_case(make, copy):
+    envs = make("evening", homes=2, seed=1, copy=copy)
+    _, infos = envs.reset()
+    for _ in range(3):
+        infos["_caresses"][:] = False
+        _, _, terminations, _, infos = envs.step(np.zeros(4, int))
+        assert not terminations.any()
+        terminations[:] = True
+        assert all(infos[key].all() for key in infos if key.startswith("_"))
+    _, infos = envs.reset()
+    assert infos["_action_mask"].all()
+
+
 @pytest.mark.parametrize(
     ("actions", "text"),
     [
