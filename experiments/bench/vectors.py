@@ -76,10 +76,9 @@ def _compared(
     yield _measured(n, "one process / plain loop", "x", alone, at_least=1.0)
     if WORKER not in rates:
         return
-    both = ratios(rates[WORKER], rates[LOOP])
-    yield _measured(n, "with a worker / plain loop", "x", both, at_least=1.8)
-    more = ratios(rates[WORKER], rates[ALONE])
-    yield _measured(n, "with a worker / without", "x", more)
+    for name, other in (("plain loop", LOOP), ("without", ALONE)):
+        more = ratios(rates[WORKER], rates[other])
+        yield _measured(n, f"with a worker / {name}", "x", more, at_least=1.8)
     if others:
         best = [max(each) for each in zip(*(rates[k] for k in others), strict=True)]
         ahead = ratios(rates[WORKER], best)
