@@ -277,14 +277,15 @@ def _draw_legend(
     title = scenario.name.replace("_", " ")
     axes.text(0.1, y, f"{title}, {snapshot.time:.0f} s", fontsize=NAME + 1.5, **line)
     y -= 1.6 * ENTRY
+    column = _column(scenario)
     for i, name in enumerate(scenario.person_names):
-        _entry(axes, y, name, role_in_words(int(snapshot.activity[i])))
+        _entry(axes, (column, y), name, role_in_words(int(snapshot.activity[i])))
         _swatch(axes, y, people_colors(i + 1)[i], int(snapshot.activity[i]))
         y -= ENTRY
     y -= 0.5 * ENTRY
     for j, name in enumerate(scenario.robot_names):
         word, color = _doing(scenario, int(snapshot.behavior[j]))
-        _entry(axes, y, name, word)
+        _entry(axes, (column, y), name, word)
         center = np.array([0.17, y])
         own = robot_colors(j + 1)[j]
         _draw_body(axes, Body(center, 0.055, color, own, 0.0))
@@ -303,9 +304,16 @@ def role_in_words(activity: int) -> str:
     return "-" if activity == Activity.UNKNOWN else Activity(activity).name.lower()
 
 
-def _entry(axes: Axes, y: float, name: str, doing: str) -> None:
+def _column(scenario: Scenario) -> float:
+    """Where the legend says what everybody does: to the right of all names [inches]."""
+    names = (*scenario.person_names, *scenario.robot_names)
+    return max(1.12, *(0.32 + SCALE * name_size(name)[0] for name in names))
+
+
+def _entry(axes: Axes, at: tuple[float, float], name: str, doing: str) -> None:
+    x, y = at
     axes.text(0.32, y, name, fontsize=NAME, va="center", color=INK)
-    axes.text(1.12, y, doing, fontsize=SMALL, va="center", color="#5b6470")
+    axes.text(x, y, doing, fontsize=SMALL, va="center", color="#5b6470")
 
 
 def _swatch(axes: Axes, y: float, color: str, activity: int) -> None:

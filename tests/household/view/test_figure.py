@@ -6,7 +6,9 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from household import household_v0
 from household.errors import HouseholdError
+from household.scenario.family import draw
 from household.simulation.snapshot import snapshot
 from household.view import figure
 from household.view.labels import place_labels
@@ -39,6 +41,22 @@ def test_lines_hold_everybody_by_name_and_what_they_do(busy, tmp_path):
     for behavior in moments[-1].behavior:
         assert scenario.behaviors[behavior] in texts
     assert any(f"{moments[-1].time:.0f} s" in text for text in texts)
+
+
+def test_the_legend_says_what_somebody_does_to_the_right_of_any_name(tmp_path):
+    from matplotlib.textpath import TextPath
+
+    env = household_v0.parallel_env(draw("family_evening", 77))
+    env.reset(seed=0)
+    figure.save(env.scenario, [snapshot(env.simulation)], tmp_path / "moment.svg")
+    root = ElementTree.parse(tmp_path / "moment.svg").getroot()
+    legend = [t for t in root.iter() if "text-anchor: start" in t.get("style", "")]
+    for i, text in enumerate(legend):
+        if text.text in env.scenario.person_names:
+            name = TextPath((0, 0), text.text, size=figure.NAME)
+            end = float(text.get("x")) + name.get_extents().width
+            assert float(legend[i + 1].get("x")) > end
+    assert len(legend) > 2 * len(env.scenario.person_names)
 
 
 def test_a_touch_is_drawn_at_its_moment_and_not_before(busy, tmp_path):
